@@ -1,0 +1,35 @@
+/// @file
+/// Distinct points along a Hilbert curve, and the rounds in which an
+/// incremental construction inserts them.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "delaunay/ids.h"
+
+namespace delaunay {
+
+/// The distinct points of an input in an order that depends on the set alone.
+template <int kDim>
+struct SpatialOrder {
+  /// Along a Hilbert curve through the bounding cube; points of one curve cell
+  /// by coordinates, x first.
+  std::vector<Eigen::Matrix<double, kDim, 1>> points;
+  /// For each input row, its position in `points`; duplicates share one. -0
+  /// and 0 are equal, and `points` holds 0.
+  std::vector<VertexId> vertex_of_row;
+};
+
+/// @throws std::invalid_argument  a coordinate is not finite (names the row)
+SpatialOrder<2> spatial_order(std::span<const Eigen::Vector2d> points);
+SpatialOrder<3> spatial_order(std::span<const Eigen::Vector3d> points);
+
+/// Biased randomised insertion order [Amenta03]: 0 .. n-1 cut into rounds of
+/// growing size, each round a pseudo-random subset in ascending order.
+/// Depends on n alone.
+std::vector<VertexId> insertion_order(std::size_t n);
+
+}  // namespace delaunay

@@ -1,0 +1,1 @@
+#include "delaunay/triangulation3.h"

@@ -1,0 +1,1 @@
+// Conflict-driven 0/1 search.

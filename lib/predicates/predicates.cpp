@@ -1,0 +1,1 @@
+#include "predicates/predicates.h"
