@@ -17,9 +17,7 @@ inline constexpr VertexId kInfinite{0xffff'ffffU};
 
 /// Row of `id` in a per-vertex or per-cell array.
 template <class Id>
-  requires std::is_enum_v<Id>
-constexpr std::size_t index(Id id) {
-  return static_cast<std::size_t>(id);
-}
+requires std::is_enum_v<Id>
+constexpr std::size_t index(Id id) { return static_cast<std::size_t>(id); }
 
 }  // namespace delaunay

@@ -12,7 +12,8 @@
 
 namespace delaunay {
 
-/// The distinct points of an input in an order that depends on the set alone.
+/// The distinct points of an input in an order that depends on them alone, not
+/// on their rows.
 template <int kDim>
 struct SpatialOrder {
   /// Along a Hilbert curve through the bounding cube; points of one curve cell

@@ -23,8 +23,8 @@ int incircle(const double* a, const double* b, const double* c,
 
 /// +1 if e lies inside the sphere through a, b, c, d, 0 on it, -1 outside.
 /// @pre orient3d(a, b, c, d) > 0; with < 0 the sign is reversed
-int insphere(const double* a, const double* b, const double* c,
-             const double* d, const double* e);
+int insphere(const double* a, const double* b, const double* c, const double* d,
+             const double* e);
 
 /// As incircle, with cocircular points told apart by an infinitesimal raise
 /// of the lifted points: the lexicographically larger the point, the larger

@@ -1,0 +1,241 @@
+/// @file
+/// A point's place on the Hilbert curve is read off its quantised coordinates
+/// by a table of the curve's 2^d * d states [Hamilton06]. Points that fall in
+/// one cell of the curve's finest grid are sorted again within their own
+/// bounding cube, so that clusters of any scale keep their locality, and at
+/// last by coordinates.
+#include "delaunay/spatial_sort.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace delaunay {
+namespace {
+
+/// One step of the curve: which child a sub-cube is, and the state within it.
+struct Step {
+  std::uint8_t rank;
+  std::uint8_t next_state;
+};
+
+/// States are (entry corner, direction), numbered entry * d + direction.
+template <int kDim>
+struct HilbertTable {
+  static constexpr unsigned kCorners = 1U << kDim;
+  std::array<std::array<Step, kCorners>, kCorners * kDim> step;
+
+  static constexpr unsigned rotate_left(unsigned bits, unsigned by) {
+    by %= kDim;
+    return ((bits << by) | (bits >> (kDim - by))) & (kCorners - 1);
+  }
+  static constexpr unsigned gray(unsigned i) { return i ^ (i >> 1U); }
+  static constexpr unsigned gray_inverse(unsigned g) {
+    unsigned i = 0;
+    for (; g != 0; g >>= 1U) i ^= g;
+    return i;
+  }
+  // Entry corner and direction of the w-th child [Hamilton06, Thm 2.10, 2.9].
+  static constexpr unsigned entry(unsigned w) {
+    return w == 0 ? 0 : gray(2 * ((w - 1) / 2));
+  }
+  static constexpr unsigned direction(unsigned w) {
+    if (w == 0) return 0;
+    const unsigned i = w % 2 == 0 ? w - 1 : w;
+    return static_cast<unsigned>(std::countr_one(i)) % kDim;
+  }
+
+  constexpr HilbertTable() : step() {
+    for (unsigned e = 0; e < kCorners; ++e)
+      for (unsigned d = 0; d < kDim; ++d)
+        for (unsigned corner = 0; corner < kCorners; ++corner) {
+          const unsigned w =
+              gray_inverse(rotate_left(corner ^ e, kDim - (d + 1) % kDim));
+          const unsigned next_e = e ^ rotate_left(entry(w), d + 1);
+          const unsigned next_d = (d + direction(w) + 1) % kDim;
+          step[e * kDim + d][corner] = {
+              static_cast<std::uint8_t>(w),
+              static_cast<std::uint8_t>(next_e * kDim + next_d)};
+        }
+  }
+};
+
+template <int kDim>
+using Point = Eigen::Matrix<double, kDim, 1>;
+
+template <int kDim>
+inline constexpr unsigned kBits = kDim == 2 ? 31 : 21;
+
+struct Keyed {
+  std::uint64_t key;
+  std::uint32_t row;
+};
+
+/// Maps a bounding cube onto the curve's grid. Halving before subtracting
+/// keeps the widest inputs from overflowing.
+template <int kDim>
+class Quantizer {
+ public:
+  Quantizer(const Point<kDim>& low, const Point<kDim>& high)
+      : half_low_(0.5 * low), half_side_((0.5 * high - 0.5 * low).maxCoeff()) {}
+
+  std::uint64_t key(const Point<kDim>& p) const {
+    static constexpr HilbertTable<kDim> kTable;
+    static constexpr double kGrid = static_cast<double>(1ULL << kBits<kDim>);
+    std::array<std::uint32_t, kDim> cell{};
+    for (int i = 0; i < kDim; ++i) {
+      const double t =
+          half_side_ > 0 ? (0.5 * p[i] - half_low_[i]) / half_side_ : 0;
+      cell[i] = static_cast<std::uint32_t>(std::min(t * kGrid, kGrid - 1));
+    }
+    std::uint64_t key = 0;
+    unsigned state = 0;
+    for (int bit = kBits<kDim> - 1; bit >= 0; --bit) {
+      unsigned corner = 0;
+      for (int i = 0; i < kDim; ++i)
+        corner |= ((cell[i] >> static_cast<unsigned>(bit)) & 1U)
+                  << static_cast<unsigned>(i);
+      const Step s = kTable.step[state][corner];
+      key = (key << static_cast<unsigned>(kDim)) | s.rank;
+      state = s.next_state;
+    }
+    return key;
+  }
+
+ private:
+  Point<kDim> half_low_;
+  double half_side_;
+};
+
+template <int kDim>
+void check_finite(std::span<const Point<kDim>> points) {
+  if (points.size() >= index(kInfinite))
+    throw std::invalid_argument("too many points: " +
+                                std::to_string(points.size()));
+  for (std::size_t row = 0; row < points.size(); ++row)
+    if (!points[row].allFinite())
+      throw std::invalid_argument("row " + std::to_string(row) +
+                                  ": a coordinate is not finite");
+}
+
+/// Sorts one range of rows along the curve through its own bounding cube.
+template <int kDim>
+void sort_along_curve(std::span<const Point<kDim>> points,
+                      std::span<Keyed> range) {
+  Point<kDim> low = points[range.front().row];
+  Point<kDim> high = low;
+  for (const Keyed& k : range) {
+    low = low.cwiseMin(points[k.row]);
+    high = high.cwiseMax(points[k.row]);
+  }
+  const Quantizer<kDim> quantizer(low, high);
+  for (Keyed& k : range) k.key = quantizer.key(points[k.row]);
+  std::ranges::sort(range, [](const Keyed& a, const Keyed& b) {
+    return a.key != b.key ? a.key < b.key : a.row < b.row;
+  });
+}
+
+template <int kDim>
+bool lexicographically_less(const Point<kDim>& a, const Point<kDim>& b) {
+  return std::lexicographical_compare(a.data(), a.data() + kDim, b.data(),
+                                      b.data() + kDim);
+}
+
+/// Ranges of equal keys: small ones by coordinates, large ones (unless all
+/// points are equal) along a finer curve of their own.
+template <int kDim>
+void refine_ties(std::span<const Point<kDim>> points, std::span<Keyed> range,
+                 std::vector<std::span<Keyed>>& pending) {
+  static constexpr std::size_t kSmall = 64;
+  for (std::size_t begin = 0; begin < range.size();) {
+    std::size_t end = begin + 1;
+    while (end < range.size() && range[end].key == range[begin].key) ++end;
+    const std::span<Keyed> ties = range.subspan(begin, end - begin);
+    begin = end;
+    if (ties.size() == 1) continue;
+    const bool all_equal = std::ranges::all_of(ties, [&](const Keyed& k) {
+      return points[k.row] == points[ties.front().row];
+    });
+    if (all_equal) continue;
+    if (ties.size() > kSmall && ties.size() < range.size()) {
+      pending.push_back(ties);
+    } else {
+      std::ranges::sort(ties, [&](const Keyed& a, const Keyed& b) {
+        if (points[a.row] == points[b.row]) return a.row < b.row;
+        return lexicographically_less<kDim>(points[a.row], points[b.row]);
+      });
+    }
+  }
+}
+
+template <int kDim>
+SpatialOrder<kDim> order(std::span<const Point<kDim>> points) {
+  check_finite<kDim>(points);
+  SpatialOrder<kDim> result;
+  if (points.empty()) return result;
+
+  std::vector<Keyed> keyed(points.size());
+  for (std::size_t row = 0; row < points.size(); ++row)
+    keyed[row] = {0, static_cast<std::uint32_t>(row)};
+  std::vector<std::span<Keyed>> pending = {std::span<Keyed>(keyed)};
+  while (!pending.empty()) {
+    const std::span<Keyed> range = pending.back();
+    pending.pop_back();
+    sort_along_curve<kDim>(points, range);
+    refine_ties<kDim>(points, range, pending);
+  }
+
+  result.points.reserve(points.size());
+  result.vertex_of_row.resize(points.size());
+  for (const Keyed& k : keyed) {
+    const Point<kDim>& p = points[k.row];
+    if (result.points.empty() || result.points.back() != p)
+      result.points.push_back(p + Point<kDim>::Zero());  // -0 + 0 = 0
+    result.vertex_of_row[k.row] =
+        VertexId{static_cast<std::uint32_t>(result.points.size() - 1)};
+  }
+  return result;
+}
+
+// The finaliser of SplitMix64 [Steele14]: mixes an index into random bits.
+std::uint64_t mix(std::uint64_t x) {
+  x += 0x9e37'79b9'7f4a'7c15U;
+  x = (x ^ (x >> 30U)) * 0xbf58'476d'1ce4'e5b9U;
+  x = (x ^ (x >> 27U)) * 0x94d0'49bb'1331'11ebU;
+  return x ^ (x >> 31U);
+}
+
+}  // namespace
+
+SpatialOrder<2> spatial_order(std::span<const Eigen::Vector2d> points) {
+  return order<2>(points);
+}
+
+SpatialOrder<3> spatial_order(std::span<const Eigen::Vector3d> points) {
+  return order<3>(points);
+}
+
+std::vector<VertexId> insertion_order(std::size_t n) {
+  // Each round holds eight times the points of all rounds before it.
+  static constexpr unsigned kLog2Growth = 3;
+  static constexpr std::size_t kFirstRound = 512;
+  unsigned last = 0;
+  for (std::size_t m = n; m > kFirstRound; m >>= kLog2Growth) ++last;
+
+  const auto round_of = [last](std::size_t i) {
+    const auto zeros = static_cast<unsigned>(std::countr_zero(mix(i)));
+    return last - std::min(zeros / kLog2Growth, last);
+  };
+  std::vector<std::size_t> begin(last + 2, 0);
+  for (std::size_t i = 0; i < n; ++i) ++begin[round_of(i) + 1];
+  for (unsigned r = 0; r <= last; ++r) begin[r + 1] += begin[r];
+  std::vector<VertexId> order(n);
+  for (std::size_t i = 0; i < n; ++i)
+    order[begin[round_of(i)]++] = VertexId{static_cast<std::uint32_t>(i)};
+  return order;
+}
+
+}  // namespace delaunay
