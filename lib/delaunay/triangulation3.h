@@ -37,8 +37,9 @@ class Facet {
 struct alignas(64) Cell {
   std::array<VertexId, 4> vertex;
   std::array<Facet, 4> neighbor;
-  /// Circumsphere, in the unit of Triangulation3::scale(); see
-  /// triangulation3.cpp for what the bounds promise.
+  /// Circumcentre, times 2^Triangulation3::scale_exponent() in input units;
+  /// meaningful where outside2 is finite (then its error is below 2^-24 of
+  /// the radius), which it is not for flat or infinite cells.
   std::array<double, 3> center;
   float inside2;   ///< squared distance to center below this: certainly inside
   float outside2;  ///< squared distance to center above this: certainly outside
@@ -79,11 +80,15 @@ class Triangulation3 {
   std::size_t n_finite_cells() const { return n_finite_cells_; }
   const Cell& cell(CellId c) const { return cells_[index(c)]; }
 
+  /// See Cell::center.
+  int scale_exponent() const { return scale_exponent_; }
+
  private:
   std::vector<Point3> points_;
   std::vector<VertexId> vertex_of_row_;
   std::vector<Cell> cells_;
   std::size_t n_finite_cells_ = 0;
+  int scale_exponent_ = 0;
   int dimension_ = -1;
 };
 

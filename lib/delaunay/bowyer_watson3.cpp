@@ -1,0 +1,439 @@
+/// @file
+/// Bowyer-Watson insertion [Bowyer81; Watson81]: find the cells whose open
+/// circumball holds the new point (the cavity), and star its boundary from
+/// the point. The hull is closed by cells with an infinite vertex, so that
+/// every facet has two sides.
+///
+/// Departures. A cell is one cache line and caches its circumsphere as two
+/// squared radii, one certainly inside and one certainly outside for every
+/// query point (docs/math.md, "Cached circumsphere"): one distance decides
+/// almost every test without touching a vertex. Only a query between the two
+/// goes on to the exact, symbolically perturbed predicate. Cells already
+/// known to be in the cavity or next to it carry that mark in the sign bits
+/// of these two numbers, so no cell is tested twice and no mark has to be
+/// cleared: cavity cells are overwritten, outer ones are linked anyway.
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "delaunay/bowyer_watson3_internal.h"
+#include "delaunay/huge_pages_internal.h"
+#include "predicates/predicates.h"
+
+namespace delaunay {
+namespace {
+
+constexpr std::size_t kMaxCells = std::size_t{1} << 30U;
+constexpr float kNever = std::numeric_limits<float>::infinity();
+
+// Marks of the insertion under way.
+bool is_in_cavity(const Cell& c) { return std::signbit(c.inside2); }
+bool is_next_to_cavity(const Cell& c) { return std::signbit(c.outside2); }
+void mark_in_cavity(Cell& c) { c.inside2 = -c.inside2; }
+void mark_next_to_cavity(Cell& c) { c.outside2 = -std::abs(c.outside2); }
+void unmark_next_to_cavity(Cell& c) { c.outside2 = std::abs(c.outside2); }
+
+double squared_distance(const Cell& cell, const Point3& p) {
+  const double x = p[0] - cell.center[0];
+  const double y = p[1] - cell.center[1];
+  const double z = p[2] - cell.center[2];
+  return x * x + y * y + z * z;
+}
+
+/// No distance is certain: every test goes to the exact predicate.
+void forget_sphere(Cell& cell) {
+  cell.center = {0, 0, 0};
+  cell.inside2 = 0;
+  cell.outside2 = kNever;
+}
+
+struct Vector {
+  double x, y, z;
+};
+
+Vector cross(const std::array<double, 3>& a, const std::array<double, 3>& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+          a[0] * b[1] - a[1] * b[0]};
+}
+
+// Circumsphere of 0, u, v, w, moved to p: centre o + p with
+// o = (|u|^2 v x w + |v|^2 w x u + |w|^2 u x v) / (2 u.(v x w)).
+// The bounds are certain under the four conditions (docs/math.md, "Cached
+// circumsphere"); NaN and overflow fail them.
+template <class Vertex>
+void set_sphere(Cell& cell, const Point3& p, const Vertex& u, const Vertex& v,
+                const Vertex& w) {
+  static constexpr double kMaxFlatness2 = 0x1p41;
+  static constexpr double kMaxOffset2 = 0x1p56;
+  static constexpr double kMargin = 0x1p-22;
+
+  const Vector vw = cross(v.offset, w.offset);
+  const Vector wu = cross(w.offset, u.offset);
+  const Vector uv = cross(u.offset, v.offset);
+  const double det =
+      u.offset[0] * vw.x + u.offset[1] * vw.y + u.offset[2] * vw.z;
+  const double scale = 0.5 / det;
+  const double x = (u.norm2 * vw.x + v.norm2 * wu.x + w.norm2 * uv.x) * scale;
+  const double y = (u.norm2 * vw.y + v.norm2 * wu.y + w.norm2 * uv.y) * scale;
+  const double z = (u.norm2 * vw.z + v.norm2 * wu.z + w.norm2 * uv.z) * scale;
+  const double r2 = x * x + y * y + z * z;
+  cell.center = {p[0] + x, p[1] + y, p[2] + z};
+  const double size = std::abs(cell.center[0]) + std::abs(cell.center[1]) +
+                      std::abs(cell.center[2]);
+  const double l2 = std::max({u.norm2, v.norm2, w.norm2});
+
+  if (l2 * l2 * l2 < kMaxFlatness2 * (det * det) &&
+      size * size < kMaxOffset2 * r2 && 0x1p-120 < r2 && r2 < 0x1p120) {
+    cell.inside2 = static_cast<float>(r2 * (1 - kMargin));
+    cell.outside2 = static_cast<float>(r2 * (1 + kMargin));
+  } else {
+    forget_sphere(cell);
+  }
+}
+
+}  // namespace
+
+BowyerWatson3::BowyerWatson3(std::span<const Point3> points,
+                             const std::array<VertexId, 4>& first)
+    : points_(points), rim_slot_(points.size() + 1) {
+  reserve_cells();
+  auto [a, b, c, d] = first;
+  const int sign = predicates::orient3d(at(a), at(b), at(c), at(d));
+  assert(sign != 0);
+  if (sign < 0) std::swap(a, b);
+
+  // Cell 0 is abcd, cell i + 1 lies beyond its facet i.
+  const std::array<VertexId, 4> v = {a, b, c, d};
+  cells_.resize(5);
+  cells_[0].vertex = v;
+  std::array<RimVertex, 3> rest;
+  for (unsigned i = 0; i < 3; ++i) {
+    const Point3 offset = points_[index(v[i])] - points_[index(d)];
+    rest[i] = {v[i], {offset[0], offset[1], offset[2]}, offset.squaredNorm()};
+  }
+  set_sphere(cells_[0], points_[index(d)], rest[0], rest[1], rest[2]);
+  for (unsigned i = 0; i < 4; ++i) {
+    const auto& corner = kFacetCorners[i];
+    Cell& outer = cells_[i + 1];
+    outer.vertex = {v[corner[0]], v[corner[1]], v[corner[2]], kInfinite};
+    forget_sphere(outer);
+    link(Facet(CellId{0}, i), Facet(CellId{i + 1}, 3));
+    // Across the edge opposite corner[k] lies the facet opposite corner[k].
+    for (unsigned k = 0; k < 3; ++k) {
+      const unsigned j = corner[k];
+      const auto& other = kFacetCorners[j];
+      const auto at_i = static_cast<unsigned>(
+          std::find(other.begin(), other.end(), i) - other.begin());
+      outer.neighbor[k] = Facet(CellId{j + 1}, at_i);
+    }
+  }
+}
+
+void BowyerWatson3::reserve_cells() {
+  // Uniform points make 6.8 cells each, scanned surfaces 6 to 9. Memory that
+  // is never touched costs nothing.
+  cells_.reserve(points_.size() * 7 + 64);
+  advise_huge_pages(cells_.data(), cells_.capacity() * sizeof(Cell));
+}
+
+void BowyerWatson3::insert(VertexId v) {
+  const Point3& p = points_[index(v)];
+  find_cavity(locate(p), p);
+  fill_cavity(v);
+}
+
+// ---- Location ----
+
+template <bool kExact>
+bool BowyerWatson3::is_beyond(const Cell& cell, unsigned facet,
+                              const Point3& p) const {
+  const auto& corner = kFacetCorners[facet];
+  const double* a = at(cell.vertex[corner[0]]);
+  const double* b = at(cell.vertex[corner[1]]);
+  const double* c = at(cell.vertex[corner[2]]);
+  if constexpr (kExact) {
+    return predicates::orient3d(a, b, c, p.data()) > 0;
+  } else {
+    const std::array<double, 3> u = {a[0] - p[0], a[1] - p[1], a[2] - p[2]};
+    const std::array<double, 3> v = {b[0] - p[0], b[1] - p[1], b[2] - p[2]};
+    const std::array<double, 3> w = {c[0] - p[0], c[1] - p[1], c[2] - p[2]};
+    const Vector vw = cross(v, w);
+    return u[0] * vw.x + u[1] * vw.y + u[2] * vw.z < 0;
+  }
+}
+
+// Visibility walk. Any cell in conflict will do, so it stops at the first
+// whose cached sphere holds p. Rounded signs may mislead it or make it
+// circle, never to a wrong result: they get a bounded number of steps, and
+// the exact walk ends on every Delaunay triangulation [Devillers02].
+template <bool kExact>
+CellId BowyerWatson3::walk(CellId start, const Point3& p) const {
+  CellId current = start;
+  unsigned entry = 4;
+  const std::size_t max_steps =
+      kExact ? std::numeric_limits<std::size_t>::max() : 4096;
+  for (std::size_t step = 0; step < max_steps; ++step) {
+    const Cell& cell = cells_[index(current)];
+    if (cell.is_infinite()) return current;
+    if (squared_distance(cell, p) < cell.inside2) return current;
+    unsigned exit = 4;
+    for (unsigned k = 0; k < 4 && exit == 4; ++k) {
+      const auto i = static_cast<unsigned>((k + step) % 4);
+      if (i != entry && is_beyond<kExact>(cell, i, p)) exit = i;
+    }
+    if (exit == 4) return current;
+    entry = cell.neighbor[exit].index();
+    current = cell.neighbor[exit].cell();
+  }
+  return current;
+}
+
+CellId BowyerWatson3::locate(const Point3& p) const {
+  const auto finite = [this](CellId c) {
+    const Cell& cell = cells_[index(c)];
+    return cell.is_infinite() ? cell.neighbor[3].cell() : c;
+  };
+  const CellId near = walk<false>(finite(hint_), p);
+  if (in_conflict(cells_[index(near)], p)) return near;
+  const CellId found = walk<true>(finite(near), p);
+  assert(in_conflict(cells_[index(found)], p));
+  return found;
+}
+
+// ---- Cavity ----
+
+bool BowyerWatson3::in_conflict(const Cell& cell, const Point3& p) const {
+  const double d2 = squared_distance(cell, p);
+  if (d2 < cell.inside2) return true;
+  if (d2 > cell.outside2) return false;
+  return in_conflict_exact(cell, p);
+}
+
+bool BowyerWatson3::in_conflict_exact(const Cell& cell, const Point3& p) const {
+  const auto& v = cell.vertex;
+  if (!cell.is_infinite())
+    return predicates::insphere_perturbed(at(v[0]), at(v[1]), at(v[2]),
+                                          at(v[3]), p.data()) > 0;
+  const int side = predicates::orient3d(at(v[0]), at(v[1]), at(v[2]), p.data());
+  if (side != 0) return side > 0;
+  // In the plane of a hull facet, the ball beyond it is the disc that the
+  // ball on its inner side cuts out, perturbed alike.
+  const Cell& inner = cells_[index(cell.neighbor[3].cell())];
+  return predicates::insphere_perturbed(
+             at(inner.vertex[0]), at(inner.vertex[1]), at(inner.vertex[2]),
+             at(inner.vertex[3]), p.data()) > 0;
+}
+
+void BowyerWatson3::find_cavity(CellId seed, const Point3& p) {
+  cavity_.clear();
+  boundary_.clear();
+  const auto take = [this](CellId c, Cell& cell) {
+    mark_in_cavity(cell);
+    cavity_.push_back(c);
+    for (const Facet f : cell.neighbor)
+      __builtin_prefetch(&cells_[index(f.cell())]);
+  };
+  take(seed, cells_[index(seed)]);
+  for (std::size_t k = 0; k < cavity_.size(); ++k) {
+    const auto neighbor = cells_[index(cavity_[k])].neighbor;
+    for (const Facet f : neighbor) {
+      Cell& cell = cells_[index(f.cell())];
+      if (is_in_cavity(cell)) continue;
+      if (!is_next_to_cavity(cell)) {
+        if (in_conflict(cell, p)) {
+          take(f.cell(), cell);
+          continue;
+        }
+        mark_next_to_cavity(cell);
+      }
+      boundary_.push_back(f);
+    }
+  }
+}
+
+// ---- Star ----
+
+void BowyerWatson3::link(Facet a, Facet b) {
+  cells_[index(a.cell())].neighbor[a.index()] = b;
+  cells_[index(b.cell())].neighbor[b.index()] = a;
+}
+
+std::uint32_t BowyerWatson3::rim_position(VertexId v, const Point3& p) {
+  std::uint32_t& slot = rim_slot_[v == kInfinite ? points_.size() : index(v)];
+  if (slot < rim_.size() && rim_[slot].id == v) return slot;
+  slot = static_cast<std::uint32_t>(rim_.size());
+  RimVertex added{v, {0, 0, 0}, 0};
+  if (v != kInfinite) {
+    const Point3& q = points_[index(v)];
+    const Point3 offset = q - p;
+    added = {v, {offset[0], offset[1], offset[2]}, offset.squaredNorm()};
+  }
+  rim_.push_back(added);
+  return slot;
+}
+
+BowyerWatson3::RimFacet BowyerWatson3::rim_facet(Facet outside,
+                                                 const Point3& p) {
+  Cell& cell = cells_[index(outside.cell())];
+  unmark_next_to_cavity(cell);
+  const auto& corner = kFacetCorners[outside.index()];
+  std::array<VertexId, 3> v = {cell.vertex[corner[0]], cell.vertex[corner[1]],
+                               cell.vertex[corner[2]]};
+  const bool is_infinite = cell.is_infinite() && outside.index() != 3;
+  if (is_infinite)
+    while (v[2] != kInfinite) std::rotate(v.begin(), v.begin() + 1, v.end());
+  return {outside,
+          {rim_position(v[0], p), rim_position(v[1], p), rim_position(v[2], p)},
+          CellId{},
+          is_infinite};
+}
+
+CellId BowyerWatson3::new_cell(std::size_t k) {
+  if (k < cavity_.size()) return cavity_[k];
+  if (!free_.empty()) {
+    const CellId c = free_.back();
+    free_.pop_back();
+    return c;
+  }
+  if (cells_.size() >= kMaxCells)
+    throw std::length_error("Delaunay triangulation has over 2^30 cells");
+  cells_.emplace_back();
+  return CellId{static_cast<std::uint32_t>(cells_.size() - 1)};
+}
+
+// Slots of corners 0, 1, 2 and of the apex in the new cell: (a, b, c, apex),
+// or, with c infinite, its even permutation (a, apex, b, infinite).
+namespace {
+constexpr std::array<std::uint8_t, 4> kFiniteSlots = {0, 1, 2, 3};
+constexpr std::array<std::uint8_t, 4> kInfiniteSlots = {0, 2, 3, 1};
+
+const std::array<std::uint8_t, 4>& slots(bool is_infinite) {
+  return is_infinite ? kInfiniteSlots : kFiniteSlots;
+}
+}  // namespace
+
+void BowyerWatson3::make_star_cell(RimFacet& facet, VertexId apex) {
+  Cell& cell = cells_[index(facet.star)];
+  const RimVertex& a = rim_[facet.corner[0]];
+  const RimVertex& b = rim_[facet.corner[1]];
+  const RimVertex& c = rim_[facet.corner[2]];
+  if (facet.is_infinite) {
+    cell.vertex = {a.id, apex, b.id, kInfinite};
+    forget_sphere(cell);
+  } else {
+    cell.vertex = {a.id, b.id, c.id, apex};
+    set_sphere(cell, points_[index(apex)], a, b, c);
+  }
+  link(Facet(facet.star, slots(facet.is_infinite)[3]), facet.outside);
+}
+
+void BowyerWatson3::fill_cavity(VertexId apex) {
+  const Point3& p = points_[index(apex)];
+  rim_.clear();
+  facets_.clear();
+  for (const Facet outside : boundary_) {
+    facets_.push_back(rim_facet(outside, p));
+    facets_.back().star = new_cell(facets_.size() - 1);
+  }
+  for (RimFacet& facet : facets_) make_star_cell(facet, apex);
+  link_star();
+  for (std::size_t k = facets_.size(); k < cavity_.size(); ++k) {
+    cells_[index(cavity_[k])].vertex[0] = kInfinite;  // no cell
+    free_.push_back(cavity_[k]);
+  }
+  hint_ = facets_.back().star;
+}
+
+Facet BowyerWatson3::star_facet(const RimFacet& facet, unsigned corner) const {
+  return {facet.star, slots(facet.is_infinite)[corner]};
+}
+
+// Two star cells share a facet over each edge of the cavity's boundary, which
+// is a sphere: its directed edges (i, j) and (j, i) lie on one rim facet each.
+// Every entry that is read was written in this insertion, so none is cleared.
+void BowyerWatson3::link_star() {
+  static constexpr std::size_t kSide = 64;
+  if (rim_.size() > kSide) return link_large_star();
+  std::array<Facet, kSide * kSide> opposite;
+  for (const RimFacet& facet : facets_) {
+    const auto [a, b, c] = facet.corner;
+    opposite[a * kSide + b] = star_facet(facet, 2);
+    opposite[b * kSide + c] = star_facet(facet, 0);
+    opposite[c * kSide + a] = star_facet(facet, 1);
+  }
+  for (const RimFacet& facet : facets_) {
+    const auto [a, b, c] = facet.corner;
+    Cell& cell = cells_[index(facet.star)];
+    const auto& slot = slots(facet.is_infinite);
+    cell.neighbor[slot[2]] = opposite[b * kSide + a];
+    cell.neighbor[slot[0]] = opposite[c * kSide + b];
+    cell.neighbor[slot[1]] = opposite[a * kSide + c];
+  }
+}
+
+void BowyerWatson3::link_large_star() {
+  struct Edge {
+    std::uint64_t ends;
+    Facet opposite;
+  };
+  std::vector<Edge> edges;
+  edges.reserve(3 * facets_.size());
+  for (const RimFacet& facet : facets_)
+    for (unsigned k = 0; k < 3; ++k) {
+      const std::uint64_t a = facet.corner[(k + 1) % 3];
+      const std::uint64_t b = facet.corner[(k + 2) % 3];
+      edges.push_back(
+          {std::min(a, b) << 32U | std::max(a, b), star_facet(facet, k)});
+    }
+  std::ranges::sort(edges, {}, &Edge::ends);
+  for (std::size_t k = 0; k < edges.size(); k += 2) {
+    assert(edges[k].ends == edges[k + 1].ends);
+    link(edges[k].opposite, edges[k + 1].opposite);
+  }
+}
+
+// ---- End ----
+
+void BowyerWatson3::relocate(CellId from, CellId to) {
+  cells_[index(to)] = cells_[index(from)];
+  cells_[index(from)].vertex[0] = kInfinite;  // no cell
+  for (unsigned i = 0; i < 4; ++i)
+    link(Facet(to, i), cells_[index(to)].neighbor[i]);
+}
+
+// Moves the cells with `keep` to the front, from `first` on; what was in
+// their place moves to theirs. Returns the end of the front.
+template <class Keep>
+std::size_t BowyerWatson3::gather(std::size_t first, Keep keep) {
+  std::size_t last = cells_.size();
+  cells_.emplace_back();  // room to swap
+  const CellId spare{static_cast<std::uint32_t>(last)};
+  for (;; ++first) {
+    while (first < last && keep(cells_[first])) ++first;
+    while (first < last && !keep(cells_[last - 1])) --last;
+    if (first == last) break;
+    --last;
+    const CellId front{static_cast<std::uint32_t>(first)};
+    const CellId back{static_cast<std::uint32_t>(last)};
+    const bool is_gap = cells_[first].vertex[0] == kInfinite;
+    if (!is_gap) relocate(front, spare);
+    relocate(back, front);
+    if (!is_gap) relocate(spare, back);
+  }
+  cells_.pop_back();
+  return first;
+}
+
+std::size_t BowyerWatson3::finish(std::vector<Cell>& cells) && {
+  const auto is_cell = [](const Cell& c) { return c.vertex[0] != kInfinite; };
+  const std::size_t n_finite =
+      gather(0, [&](const Cell& c) { return is_cell(c) && !c.is_infinite(); });
+  const std::size_t n = gather(n_finite, is_cell);
+  cells_.resize(n);
+  cells = std::move(cells_);
+  return n_finite;
+}
+
+}  // namespace delaunay

@@ -1,0 +1,88 @@
+/// @file
+/// Incremental construction of a 3D Delaunay triangulation; for
+/// triangulation3.cpp alone.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "delaunay/triangulation3.h"
+
+namespace delaunay {
+
+/// The triangulation of the vertices inserted so far, always complete.
+class BowyerWatson3 {
+ public:
+  /// @param points  distinct, coordinates in [-1, 1]; must outlive this
+  /// @param first   four vertices that span space, in any order
+  BowyerWatson3(std::span<const Point3> points,
+                const std::array<VertexId, 4>& first);
+
+  /// @pre `v` was not inserted before
+  /// @throws std::length_error  the cells' numbers would not fit 30 bits
+  void insert(VertexId v);
+
+  /// Cells without gaps, those inside the hull first.
+  /// @return how many lie inside the hull
+  std::size_t finish(std::vector<Cell>& cells) &&;
+
+ private:
+  /// A facet between the cavity and the cell `outside` it, with its corners
+  /// as positions in `rim_`, counter-clockwise seen from inside the cavity;
+  /// the infinite vertex, if any, is corner 2.
+  struct RimFacet {
+    Facet outside;
+    std::array<std::uint32_t, 3> corner;
+    CellId star;  ///< the new cell on it
+    bool is_infinite;
+  };
+  /// A vertex of the cavity, relative to the point that is inserted.
+  struct RimVertex {
+    VertexId id;
+    std::array<double, 3> offset;
+    double norm2;
+  };
+
+  template <bool kExact>
+  CellId walk(CellId start, const Point3& p) const;
+  CellId locate(const Point3& p) const;
+  template <bool kExact>
+  bool is_beyond(const Cell& cell, unsigned facet, const Point3& p) const;
+
+  bool in_conflict(const Cell& cell, const Point3& p) const;
+  bool in_conflict_exact(const Cell& cell, const Point3& p) const;
+  void find_cavity(CellId seed, const Point3& p);
+
+  void fill_cavity(VertexId apex);
+  std::uint32_t rim_position(VertexId v, const Point3& p);
+  RimFacet rim_facet(Facet outside, const Point3& p);
+  CellId new_cell(std::size_t k);
+  void make_star_cell(RimFacet& facet, VertexId apex);
+  void link_star();
+  void link_large_star();
+  void link(Facet a, Facet b);
+  Facet star_facet(const RimFacet& facet, unsigned corner) const;
+
+  void relocate(CellId from, CellId to);
+  template <class Keep>
+  std::size_t gather(std::size_t first, Keep keep);
+
+  const double* at(VertexId v) const { return points_[index(v)].data(); }
+  void reserve_cells();
+
+  std::span<const Point3> points_;
+  std::vector<Cell> cells_;
+  std::vector<CellId> free_;
+  CellId hint_{};  // a cell near the vertex inserted last
+
+  // Of the insertion under way; kept to reuse their memory.
+  std::vector<CellId> cavity_;
+  std::vector<Facet> boundary_;
+  std::vector<RimFacet> facets_;
+  std::vector<RimVertex> rim_;
+  std::vector<std::uint32_t> rim_slot_;  // by vertex; valid if rim_ agrees
+};
+
+}  // namespace delaunay
