@@ -35,7 +35,7 @@ void mark_in_cavity(Cell& c) { c.inside2 = -c.inside2; }
 void mark_next_to_cavity(Cell& c) { c.outside2 = -std::abs(c.outside2); }
 void unmark_next_to_cavity(Cell& c) { c.outside2 = std::abs(c.outside2); }
 
-double squared_distance(const Cell& cell, const Point3& p) {
+double squared_distance(const Cell& cell, const double* p) {
   const double x = p[0] - cell.center[0];
   const double y = p[1] - cell.center[1];
   const double z = p[2] - cell.center[2];
@@ -63,7 +63,7 @@ Vector cross(const std::array<double, 3>& a, const std::array<double, 3>& b) {
 // The bounds are certain under the four conditions (docs/math.md, "Cached
 // circumsphere"); NaN and overflow fail them.
 template <class Vertex>
-void set_sphere(Cell& cell, const Point3& p, const Vertex& u, const Vertex& v,
+void set_sphere(Cell& cell, const double* p, const Vertex& u, const Vertex& v,
                 const Vertex& w) {
   static constexpr double kMaxFlatness2 = 0x1p41;
   static constexpr double kMaxOffset2 = 0x1p56;
@@ -97,7 +97,9 @@ void set_sphere(Cell& cell, const Point3& p, const Vertex& u, const Vertex& v,
 
 BowyerWatson3::BowyerWatson3(std::span<const Point3> points,
                              const std::array<VertexId, 4>& first)
-    : points_(points), rim_slot_(points.size() + 1) {
+    : sites_(points.size() + 1), link_table_(kLinkTableSide * kLinkTableSide) {
+  for (std::size_t i = 0; i < points.size(); ++i)
+    sites_[i].at = {points[i][0], points[i][1], points[i][2]};
   reserve_cells();
   auto [a, b, c, d] = first;
   const int sign = predicates::orient3d(at(a), at(b), at(c), at(d));
@@ -110,10 +112,9 @@ BowyerWatson3::BowyerWatson3(std::span<const Point3> points,
   cells_[0].vertex = v;
   std::array<RimVertex, 3> rest;
   for (unsigned i = 0; i < 3; ++i) {
-    const Point3 offset = points_[index(v[i])] - points_[index(d)];
-    rest[i] = {v[i], {offset[0], offset[1], offset[2]}, offset.squaredNorm()};
+    rest[i] = relative(v[i], at(d));
   }
-  set_sphere(cells_[0], points_[index(d)], rest[0], rest[1], rest[2]);
+  set_sphere(cells_[0], at(d), rest[0], rest[1], rest[2]);
   for (unsigned i = 0; i < 4; ++i) {
     const auto& corner = kFacetCorners[i];
     Cell& outer = cells_[i + 1];
@@ -134,12 +135,12 @@ BowyerWatson3::BowyerWatson3(std::span<const Point3> points,
 void BowyerWatson3::reserve_cells() {
   // Uniform points make 6.8 cells each, scanned surfaces 6 to 9. Memory that
   // is never touched costs nothing.
-  cells_.reserve(points_.size() * 7 + 64);
+  cells_.reserve(sites_.size() * 7 + 64);
   advise_huge_pages(cells_.data(), cells_.capacity() * sizeof(Cell));
 }
 
 void BowyerWatson3::insert(VertexId v) {
-  const Point3& p = points_[index(v)];
+  const double* p = at(v);
   find_cavity(locate(p), p);
   fill_cavity(v);
 }
@@ -148,13 +149,13 @@ void BowyerWatson3::insert(VertexId v) {
 
 template <bool kExact>
 bool BowyerWatson3::is_beyond(const Cell& cell, unsigned facet,
-                              const Point3& p) const {
+                              const double* p) const {
   const auto& corner = kFacetCorners[facet];
   const double* a = at(cell.vertex[corner[0]]);
   const double* b = at(cell.vertex[corner[1]]);
   const double* c = at(cell.vertex[corner[2]]);
   if constexpr (kExact) {
-    return predicates::orient3d(a, b, c, p.data()) > 0;
+    return predicates::orient3d(a, b, c, p) > 0;
   } else {
     const std::array<double, 3> u = {a[0] - p[0], a[1] - p[1], a[2] - p[2]};
     const std::array<double, 3> v = {b[0] - p[0], b[1] - p[1], b[2] - p[2]};
@@ -169,7 +170,7 @@ bool BowyerWatson3::is_beyond(const Cell& cell, unsigned facet,
 // circle, never to a wrong result: they get a bounded number of steps, and
 // the exact walk ends on every Delaunay triangulation [Devillers02].
 template <bool kExact>
-CellId BowyerWatson3::walk(CellId start, const Point3& p) const {
+CellId BowyerWatson3::walk(CellId start, const double* p) const {
   CellId current = start;
   unsigned entry = 4;
   const std::size_t max_steps =
@@ -190,7 +191,7 @@ CellId BowyerWatson3::walk(CellId start, const Point3& p) const {
   return current;
 }
 
-CellId BowyerWatson3::locate(const Point3& p) const {
+CellId BowyerWatson3::locate(const double* p) const {
   const auto finite = [this](CellId c) {
     const Cell& cell = cells_[index(c)];
     return cell.is_infinite() ? cell.neighbor[3].cell() : c;
@@ -204,29 +205,29 @@ CellId BowyerWatson3::locate(const Point3& p) const {
 
 // ---- Cavity ----
 
-bool BowyerWatson3::in_conflict(const Cell& cell, const Point3& p) const {
+bool BowyerWatson3::in_conflict(const Cell& cell, const double* p) const {
   const double d2 = squared_distance(cell, p);
   if (d2 < cell.inside2) return true;
   if (d2 > cell.outside2) return false;
   return in_conflict_exact(cell, p);
 }
 
-bool BowyerWatson3::in_conflict_exact(const Cell& cell, const Point3& p) const {
+bool BowyerWatson3::in_conflict_exact(const Cell& cell, const double* p) const {
   const auto& v = cell.vertex;
   if (!cell.is_infinite())
     return predicates::insphere_perturbed(at(v[0]), at(v[1]), at(v[2]),
-                                          at(v[3]), p.data()) > 0;
-  const int side = predicates::orient3d(at(v[0]), at(v[1]), at(v[2]), p.data());
+                                          at(v[3]), p) > 0;
+  const int side = predicates::orient3d(at(v[0]), at(v[1]), at(v[2]), p);
   if (side != 0) return side > 0;
   // In the plane of a hull facet, the ball beyond it is the disc that the
   // ball on its inner side cuts out, perturbed alike.
   const Cell& inner = cells_[index(cell.neighbor[3].cell())];
   return predicates::insphere_perturbed(
              at(inner.vertex[0]), at(inner.vertex[1]), at(inner.vertex[2]),
-             at(inner.vertex[3]), p.data()) > 0;
+             at(inner.vertex[3]), p) > 0;
 }
 
-void BowyerWatson3::find_cavity(CellId seed, const Point3& p) {
+void BowyerWatson3::find_cavity(CellId seed, const double* p) {
   cavity_.clear();
   boundary_.clear();
   const auto take = [this](CellId c, Cell& cell) {
@@ -243,6 +244,7 @@ void BowyerWatson3::find_cavity(CellId seed, const Point3& p) {
       if (is_in_cavity(cell)) continue;
       if (!is_next_to_cavity(cell)) {
         if (in_conflict(cell, p)) {
+          __builtin_prefetch(&site(cell.vertex[f.index()]));
           take(f.cell(), cell);
           continue;
         }
@@ -260,22 +262,25 @@ void BowyerWatson3::link(Facet a, Facet b) {
   cells_[index(b.cell())].neighbor[b.index()] = a;
 }
 
-std::uint32_t BowyerWatson3::rim_position(VertexId v, const Point3& p) {
-  std::uint32_t& slot = rim_slot_[v == kInfinite ? points_.size() : index(v)];
+BowyerWatson3::RimVertex BowyerWatson3::relative(VertexId v,
+                                                 const double* p) const {
+  const double* q = at(v);
+  const double x = q[0] - p[0];
+  const double y = q[1] - p[1];
+  const double z = q[2] - p[2];
+  return {v, {x, y, z}, x * x + y * y + z * z};
+}
+
+std::uint32_t BowyerWatson3::rim_position(VertexId v, const double* p) {
+  std::uint32_t& slot = site(v).rim_slot;
   if (slot < rim_.size() && rim_[slot].id == v) return slot;
   slot = static_cast<std::uint32_t>(rim_.size());
-  RimVertex added{v, {0, 0, 0}, 0};
-  if (v != kInfinite) {
-    const Point3& q = points_[index(v)];
-    const Point3 offset = q - p;
-    added = {v, {offset[0], offset[1], offset[2]}, offset.squaredNorm()};
-  }
-  rim_.push_back(added);
+  rim_.push_back(v == kInfinite ? RimVertex{v, {0, 0, 0}, 0} : relative(v, p));
   return slot;
 }
 
 BowyerWatson3::RimFacet BowyerWatson3::rim_facet(Facet outside,
-                                                 const Point3& p) {
+                                                 const double* p) {
   Cell& cell = cells_[index(outside.cell())];
   unmark_next_to_cavity(cell);
   const auto& corner = kFacetCorners[outside.index()];
@@ -324,13 +329,13 @@ void BowyerWatson3::make_star_cell(RimFacet& facet, VertexId apex) {
     forget_sphere(cell);
   } else {
     cell.vertex = {a.id, b.id, c.id, apex};
-    set_sphere(cell, points_[index(apex)], a, b, c);
+    set_sphere(cell, at(apex), a, b, c);
   }
   link(Facet(facet.star, slots(facet.is_infinite)[3]), facet.outside);
 }
 
 void BowyerWatson3::fill_cavity(VertexId apex) {
-  const Point3& p = points_[index(apex)];
+  const double* p = at(apex);
   rim_.clear();
   facets_.clear();
   for (const Facet outside : boundary_) {
@@ -354,9 +359,9 @@ Facet BowyerWatson3::star_facet(const RimFacet& facet, unsigned corner) const {
 // is a sphere: its directed edges (i, j) and (j, i) lie on one rim facet each.
 // Every entry that is read was written in this insertion, so none is cleared.
 void BowyerWatson3::link_star() {
-  static constexpr std::size_t kSide = 64;
+  constexpr std::size_t kSide = kLinkTableSide;
   if (rim_.size() > kSide) return link_large_star();
-  std::array<Facet, kSide * kSide> opposite;
+  auto& opposite = link_table_;
   for (const RimFacet& facet : facets_) {
     const auto [a, b, c] = facet.corner;
     opposite[a * kSide + b] = star_facet(facet, 2);

@@ -15,7 +15,7 @@ namespace delaunay {
 /// The triangulation of the vertices inserted so far, always complete.
 class BowyerWatson3 {
  public:
-  /// @param points  distinct, coordinates in [-1, 1]; must outlive this
+  /// @param points  distinct, coordinates in [-1, 1]
   /// @param first   four vertices that span space, in any order
   BowyerWatson3(std::span<const Point3> points,
                 const std::array<VertexId, 4>& first);
@@ -45,19 +45,30 @@ class BowyerWatson3 {
     double norm2;
   };
 
-  template <bool kExact>
-  CellId walk(CellId start, const Point3& p) const;
-  CellId locate(const Point3& p) const;
-  template <bool kExact>
-  bool is_beyond(const Cell& cell, unsigned facet, const Point3& p) const;
+  /// A vertex and its place in `rim_`, in one half of a cache line; the place
+  /// is valid if `rim_` agrees.
+  struct alignas(32) Site {
+    std::array<double, 3> at;
+    std::uint32_t rim_slot;
+  };
 
-  bool in_conflict(const Cell& cell, const Point3& p) const;
-  bool in_conflict_exact(const Cell& cell, const Point3& p) const;
-  void find_cavity(CellId seed, const Point3& p);
+  template <bool kExact>
+  CellId walk(CellId start, const double* p) const;
+  CellId locate(const double* p) const;
+  template <bool kExact>
+  bool is_beyond(const Cell& cell, unsigned facet, const double* p) const;
+
+  bool in_conflict(const Cell& cell, const double* p) const;
+  bool in_conflict_exact(const Cell& cell, const double* p) const;
+  void find_cavity(CellId seed, const double* p);
 
   void fill_cavity(VertexId apex);
-  std::uint32_t rim_position(VertexId v, const Point3& p);
-  RimFacet rim_facet(Facet outside, const Point3& p);
+  Site& site(VertexId v) {
+    return v == kInfinite ? sites_.back() : sites_[index(v)];
+  }
+  RimVertex relative(VertexId v, const double* p) const;
+  std::uint32_t rim_position(VertexId v, const double* p);
+  RimFacet rim_facet(Facet outside, const double* p);
   CellId new_cell(std::size_t k);
   void make_star_cell(RimFacet& facet, VertexId apex);
   void link_star();
@@ -69,10 +80,10 @@ class BowyerWatson3 {
   template <class Keep>
   std::size_t gather(std::size_t first, Keep keep);
 
-  const double* at(VertexId v) const { return points_[index(v)].data(); }
+  const double* at(VertexId v) const { return sites_[index(v)].at.data(); }
   void reserve_cells();
 
-  std::span<const Point3> points_;
+  std::vector<Site> sites_;  // by vertex; the infinite one comes last
   std::vector<Cell> cells_;
   std::vector<CellId> free_;
   CellId hint_{};  // a cell near the vertex inserted last
@@ -82,7 +93,8 @@ class BowyerWatson3 {
   std::vector<Facet> boundary_;
   std::vector<RimFacet> facets_;
   std::vector<RimVertex> rim_;
-  std::vector<std::uint32_t> rim_slot_;  // by vertex; valid if rim_ agrees
+  static constexpr std::size_t kLinkTableSide = 64;
+  std::vector<Facet> link_table_;  // by pair of rim positions
 };
 
 }  // namespace delaunay
