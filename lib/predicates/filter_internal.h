@@ -60,7 +60,7 @@ inline constexpr double kRoundoff = 0x1p-53;
 inline int orient2d_filter(const double* a, const double* b, const double* c) {
   const auto det =
       orient2d_polynomial(rounded_difference2(b, a), rounded_difference2(c, a));
-  return certain_sign(det.value, 5 * kRoundoff * det.magnitude + 0x1p-1070);
+  return certain_sign(det.value, 5 * kRoundoff * det.magnitude + 0x1p-1000);
 }
 
 inline int orient3d_filter(const double* a, const double* b, const double* c,
@@ -71,7 +71,7 @@ inline int orient3d_filter(const double* a, const double* b, const double* c,
   const auto det = orient3d_polynomial(u, v, w);
   const double size = u.z.magnitude + v.z.magnitude + w.z.magnitude;
   return certain_sign(det.value,
-                      9 * kRoundoff * det.magnitude + 0x1p-1070 * (1 + size));
+                      9 * kRoundoff * det.magnitude + 0x1p-1000 * (1 + size));
 }
 
 inline int incircle_filter(const double* a, const double* b, const double* c,
@@ -82,7 +82,7 @@ inline int incircle_filter(const double* a, const double* b, const double* c,
   const auto det = incircle_polynomial(u, v, w);
   const double size = dot(u, u).value + dot(v, v).value + dot(w, w).value;
   return certain_sign(det.value,
-                      12 * kRoundoff * det.magnitude + 0x1p-1070 * (1 + size));
+                      12 * kRoundoff * det.magnitude + 0x1p-1000 * (1 + size));
 }
 
 inline int insphere_filter(const double* a, const double* b, const double* c,
@@ -95,7 +95,7 @@ inline int insphere_filter(const double* a, const double* b, const double* c,
   const double size = 1 + ((dot(p, p).value + dot(q, q).value) +
                            (dot(r, r).value + dot(s, s).value));
   return certain_sign(
-      det.value, 17 * kRoundoff * det.magnitude + 0x1p-1060 * (size * size));
+      det.value, 17 * kRoundoff * det.magnitude + 0x1p-1000 * (size * size));
 }
 
 }  // namespace predicates::internal

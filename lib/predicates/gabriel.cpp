@@ -14,7 +14,7 @@ using internal::rounded_difference3;
 int gabriel_edge_filter(const double* a, const double* b, const double* p) {
   const auto g = internal::gabriel_edge_polynomial(rounded_difference2(a, p),
                                                    rounded_difference2(b, p));
-  return certain_sign(g.value, 5 * kRoundoff * g.magnitude + 0x1p-1070);
+  return certain_sign(g.value, 5 * kRoundoff * g.magnitude + 0x1p-1000);
 }
 
 int gabriel_triangle_filter(const double* a, const double* b, const double* c,
@@ -25,7 +25,7 @@ int gabriel_triangle_filter(const double* a, const double* b, const double* c,
   const auto g = internal::gabriel_triangle_polynomial(u, v, w);
   const double size = 1 + (dot(u, u).value + dot(v, v).value + dot(w, w).value);
   return certain_sign(g.value,
-                      20 * kRoundoff * g.magnitude + 0x1p-1050 * (size * size));
+                      20 * kRoundoff * g.magnitude + 0x1p-1000 * (size * size));
 }
 
 }  // namespace
