@@ -1,11 +1,11 @@
-#include "umbrella/big_integer_internal.h"
-
 #include <algorithm>
 #include <bit>
 #include <cassert>
 #include <climits>
 #include <cmath>
 #include <utility>
+
+#include "umbrella/big_integer_internal.h"
 
 namespace umbrella {
 namespace {

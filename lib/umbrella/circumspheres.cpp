@@ -103,7 +103,8 @@ Circumspheres::Circumspheres(const Triangulation3& triangulation)
     const Cell& cell = triangulation.cells()[i];
     const auto vertex = sorted(cell.vertex);
     std::array<const Point3*, 4> corner;
-    for (unsigned k = 0; k < 4; ++k) corner[k] = &triangulation.point(vertex[k]);
+    for (unsigned k = 0; k < 4; ++k)
+      corner[k] = &triangulation.point(vertex[k]);
     const CellGeometry geometry = measure(corner, scale_);
 
     squared_radius_[i] =

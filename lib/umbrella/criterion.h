@@ -32,10 +32,10 @@ concept Criterion = requires(const C& c, const DelaunayTriangle& t) {
 /// say it to the last bit. Triangles whose ranks differ by less are asked for
 /// exact_rank() and ordered by that, so the order is the one of exact_rank().
 template <class C>
-concept ExactCriterion =
-    Criterion<C> && requires(const C& c, const DelaunayTriangle& t) {
-      { c.exact_rank(t) } -> std::convertible_to<Rank>;
-    };
+concept ExactCriterion = Criterion<C> &&
+    requires(const C& c, const DelaunayTriangle& t) {
+  { c.exact_rank(t) } -> std::convertible_to<Rank>;
+};
 
 /// Twice what rank() of an ExactCriterion may be off by, relatively.
 inline constexpr double kNearTie = 0x1p-28;

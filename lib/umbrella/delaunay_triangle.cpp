@@ -75,8 +75,7 @@ double DelaunayTriangle::squared_circumradius() const {
   const double uu = dot(u, u), vv = dot(v, v);
   const bool fat =
       std::min(uu, vv) >= kTiny && r.denominator >= kFat * (uu * vv);
-  return fat ? r.numerator / (4 * r.denominator)
-             : exact_squared_circumradius();
+  return fat ? r.numerator / (4 * r.denominator) : exact_squared_circumradius();
 }
 
 double DelaunayTriangle::exact_squared_lambda_lower() const {

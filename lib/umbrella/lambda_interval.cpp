@@ -20,9 +20,9 @@ double lambda_towards(const std::array<Point3, 3>& abc,
 
 bool outside_diametral_ball(const std::array<Point3, 3>& abc,
                             const std::optional<Point3>& apex) {
-  return !apex || predicates::gabriel_triangle(abc[0].data(), abc[1].data(),
-                                               abc[2].data(),
-                                               apex->data()) >= 0;
+  return !apex ||
+         predicates::gabriel_triangle(abc[0].data(), abc[1].data(),
+                                      abc[2].data(), apex->data()) >= 0;
 }
 
 }  // namespace
@@ -32,8 +32,8 @@ LambdaInterval lambda_interval(const std::array<Point3, 3>& abc,
                                const std::optional<Point3>& above) {
   const double l1 = lambda_towards(abc, below);
   const double l2 = lambda_towards(abc, above);
-  const bool is_gabriel = outside_diametral_ball(abc, below) &&
-                          outside_diametral_ball(abc, above);
+  const bool is_gabriel =
+      outside_diametral_ball(abc, below) && outside_diametral_ball(abc, above);
   return {std::min(l1, l2), is_gabriel ? 1 : std::max(l1, l2)};
 }
 
