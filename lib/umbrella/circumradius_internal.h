@@ -1,0 +1,78 @@
+/// @file
+/// Squared circumradii as fractions, the same formulas for any kind of number,
+/// and their exact evaluation.
+#pragma once
+
+#include <array>
+
+#include "delaunay/triangulation3.h"
+
+namespace umbrella {
+
+template <class T>
+using Vector = std::array<T, 3>;
+
+template <class T>
+T dot(const Vector<T>& a, const Vector<T>& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+template <class T>
+Vector<T> cross(const Vector<T>& a, const Vector<T>& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+          a[0] * b[1] - a[1] * b[0]};
+}
+
+/// Four times the square of a radius.
+template <class T>
+struct RadiusFraction {
+  T numerator;
+  T denominator;
+};
+
+/// Circle through 0, u, v: r = |u| |v| |u - v| / (2 |u x v|).
+template <class T>
+RadiusFraction<T> circle_radius(const Vector<T>& u, const Vector<T>& v) {
+  const Vector<T> side = {u[0] - v[0], u[1] - v[1], u[2] - v[2]};
+  const Vector<T> n = cross(u, v);
+  return {dot(u, u) * dot(v, v) * dot(side, side), dot(n, n)};
+}
+
+/// Centre of the sphere through 0, u, v, w, times twice this volume
+/// det(u, v, w): |u|^2 v x w + |v|^2 w x u + |w|^2 u x v.
+template <class T>
+struct Sphere {
+  Vector<T> center;
+  T volume;
+  Vector<T> normal_uv, normal_vw, normal_wu;
+};
+
+template <class T>
+Sphere<T> sphere(const Vector<T>& u, const Vector<T>& v, const Vector<T>& w) {
+  const Vector<T> uv = cross(u, v), vw = cross(v, w), wu = cross(w, u);
+  const T uu = dot(u, u), vv = dot(v, v), ww = dot(w, w);
+  Vector<T> center;
+  for (unsigned i = 0; i < 3; ++i)
+    center[i] = uu * vw[i] + vv * wu[i] + ww * uv[i];
+  return {center, dot(w, uv), uv, vw, wu};
+}
+
+/// R = |center| / (2 |volume|).
+template <class T>
+RadiusFraction<T> sphere_radius(const Sphere<T>& s) {
+  return {dot(s.center, s.center), s.volume * s.volume};
+}
+
+/// Each is the double nearest to the exact value for the given coordinates,
+/// which may be any finite doubles; equal values give equal doubles.
+///
+/// @param scale  a power of two, the unit of the result: scale^2 r^2
+/// @pre the points are not collinear, or not coplanar
+double exact_squared_circumradius(const std::array<delaunay::Point3, 3>& abc,
+                                  double scale);
+double exact_squared_circumradius(const std::array<delaunay::Point3, 4>& abcd,
+                                  double scale);
+/// (r / R)^2 for the circle through a, b, c and the sphere through all four.
+double exact_squared_lambda(const std::array<delaunay::Point3, 4>& abcd);
+
+}  // namespace umbrella

@@ -1,0 +1,104 @@
+/// @file
+/// What makes a triangle fit for an umbrella, and which of two is better.
+///
+/// A criterion is any type with these two members:
+///
+///   struct ShortestFirst {
+///     bool admissible(const DelaunayTriangle&) const { return true; }
+///     Rank rank(const DelaunayTriangle& t) const {
+///       return {t.circumradius(), t.area()};
+///     }
+///   };
+///   const auto ranked = ranked_triangles(triangulation, ShortestFirst{});
+#pragma once
+
+#include <concepts>
+#include <span>
+#include <vector>
+
+#include "umbrella/circumspheres.h"
+#include "umbrella/delaunay_triangle.h"
+#include "umbrella/triangle.h"
+
+namespace umbrella {
+
+template <class C>
+concept Criterion = requires(const C& c, const DelaunayTriangle& t) {
+  { c.admissible(t) } -> std::convertible_to<bool>;
+  { c.rank(t) } -> std::convertible_to<Rank>;
+};
+
+/// A criterion whose rank() is good to a part of kNearTie only, and which can
+/// say it to the last bit. Triangles whose ranks differ by less are asked for
+/// exact_rank() and ordered by that, so the order is the one of exact_rank().
+template <class C>
+concept ExactCriterion = Criterion<C> &&
+    requires(const C& c, const DelaunayTriangle& t) {
+  { c.exact_rank(t) } -> std::convertible_to<Rank>;
+};
+
+/// Twice what rank() of an ExactCriterion may be off by, relatively.
+inline constexpr double kNearTie = 0x1p-28;
+
+/// The paper's: Gabriel triangles, by the lower bound of the lambda-interval.
+/// All hull triangles tie at 0 there; the smaller circumradius then goes
+/// first. Both are squared.
+struct PaperCriterion {
+  bool admissible(const DelaunayTriangle& t) const { return t.is_gabriel(); }
+  Rank rank(const DelaunayTriangle& t) const {
+    return {t.squared_lambda_lower(), t.squared_circumradius()};
+  }
+  Rank exact_rank(const DelaunayTriangle& t) const {
+    return {t.exact_squared_lambda_lower(), t.exact_squared_circumradius()};
+  }
+};
+
+/// An admissible triangle on its way through ranked_triangles().
+struct Candidate {
+  RankedTriangle triangle;
+  delaunay::Facet facet;
+};
+
+/// Groups of candidates whose ranks are too close to trust, as positions.
+/// Sorted by what ranked_triangles() does next, never by hash.
+std::vector<std::uint32_t> near_ties(std::span<const Candidate> candidates);
+
+/// The triangles of the candidates, by ascending corners.
+std::vector<RankedTriangle> by_corners(std::span<const Candidate> candidates);
+
+/// Each facet of a cell within the hull, once.
+template <class Visit>
+void for_each_facet(const delaunay::Triangulation3& triangulation,
+                    Visit visit) {
+  for (std::size_t i = 0; i < triangulation.n_finite_cells(); ++i) {
+    const delaunay::CellId c{static_cast<std::uint32_t>(i)};
+    for (unsigned k = 0; k < 4; ++k) {
+      const auto neighbor = triangulation.cell(c).neighbor[k].cell();
+      if (c < neighbor) visit(delaunay::Facet(c, k));
+    }
+  }
+}
+
+/// All triangles of the triangulation that the criterion admits, by ascending
+/// corners. Depends on the set of points alone if the criterion does.
+template <Criterion C = PaperCriterion>
+std::vector<RankedTriangle> ranked_triangles(
+    const delaunay::Triangulation3& triangulation, const C& criterion = {}) {
+  const Circumspheres spheres(triangulation);
+  std::vector<Candidate> candidates;
+  for_each_facet(triangulation, [&](delaunay::Facet facet) {
+    const DelaunayTriangle t(triangulation, spheres, facet);
+    if (criterion.admissible(t))
+      candidates.push_back({{t.corners(), criterion.rank(t)}, facet});
+  });
+  if constexpr (ExactCriterion<C>) {
+    for (const std::uint32_t i : near_ties(candidates)) {
+      Candidate& near = candidates[i];
+      near.triangle.rank = criterion.exact_rank(
+          DelaunayTriangle(triangulation, spheres, near.facet));
+    }
+  }
+  return by_corners(candidates);
+}
+
+}  // namespace umbrella

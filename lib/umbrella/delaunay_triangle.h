@@ -1,0 +1,62 @@
+/// @file
+/// One Delaunay triangle, and what a criterion may ask about it.
+#pragma once
+
+#include <array>
+
+#include "delaunay/triangulation3.h"
+#include "umbrella/circumspheres.h"
+#include "umbrella/lambda_interval.h"
+#include "umbrella/triangle.h"
+
+namespace umbrella {
+
+/// A view of four words: every answer is computed when it is asked for. Both
+/// objects it looks at must outlive it. Answers depend on the set of points
+/// alone, not on how cells are numbered or which cell the facet is seen from.
+class DelaunayTriangle {
+ public:
+  DelaunayTriangle(const delaunay::Triangulation3& triangulation,
+                   const Circumspheres& spheres, delaunay::Facet facet);
+
+  const Triangle& corners() const { return corners_; }
+  std::array<Point3, 3> points() const;
+
+  /// The two cells at the triangle, one of them perhaps beyond the hull.
+  std::array<delaunay::CellId, 2> cells() const {
+    return {facet_.cell(), opposite().cell()};
+  }
+  bool on_hull() const;
+
+  /// No sample point lies in the open diametral ball; exact.
+  bool is_gabriel() const {
+    return spheres_->apex_outside_diametral_ball(facet_) &&
+           spheres_->apex_outside_diametral_ball(opposite());
+  }
+
+  /// Relative error below 2^-30, and far less for triangles and cells that
+  /// are not needles or slivers. See exact_...() for the last bit.
+  LambdaInterval lambda() const;
+  /// Square of the lower bound of lambda().
+  double squared_lambda_lower() const;
+  /// In units of (1 / scale)^2, scale as in Circumspheres; so it ranks at
+  /// any size.
+  double squared_circumradius() const;
+
+  /// The doubles nearest to the exact values; slow.
+  double exact_squared_lambda_lower() const;
+  double exact_squared_circumradius() const;
+
+  double circumradius() const;  ///< in the unit of the points
+  double area() const;          ///< in the squared unit of the points
+
+ private:
+  delaunay::Facet opposite() const;
+
+  const delaunay::Triangulation3* triangulation_;
+  const Circumspheres* spheres_;
+  delaunay::Facet facet_;
+  Triangle corners_;
+};
+
+}  // namespace umbrella

@@ -1,0 +1,32 @@
+/// @file
+/// UMBRELLAFILTER [Adamy02, Sec. 3]: at each vertex the umbrella whose worst
+/// triangle is best.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "umbrella/triangle.h"
+
+namespace umbrella {
+
+struct FilterResult {
+  /// Union of the umbrellas of all vertices, in the order of the input.
+  std::vector<RankedTriangle> triangles;
+  /// Vertices around which no admissible triangles close, ascending. They
+  /// choose nothing.
+  std::vector<VertexId> without_umbrella;
+};
+
+/// Takes the triangles at each vertex v in the order of ranks_before() until
+/// they hold an umbrella: a cycle in the graph G_v, which joins p and q for
+/// each triangle v p q. One edge closes the first cycle, so the umbrella is
+/// unique; the other triangles taken at v are dropped again.
+///
+/// @param n_vertices  all ids in `triangles` are below it
+/// @param triangles  distinct, in any order
+FilterResult umbrella_filter(std::size_t n_vertices,
+                             std::span<const RankedTriangle> triangles);
+
+}  // namespace umbrella

@@ -1,0 +1,52 @@
+/// @file
+/// Triangles at each vertex, as flat arrays.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "umbrella/triangle.h"
+
+namespace umbrella {
+
+/// Position of a triangle in the array at hand.
+using TriangleIndex = std::uint32_t;
+
+/// The triangle seen from its corner v: the edge of the link graph G_v.
+using LinkEdge = std::array<VertexId, 2>;
+
+inline LinkEdge opposite_edge(const Triangle& t, VertexId v) {
+  if (t[0] == v) return {t[1], t[2]};
+  if (t[1] == v) return {t[0], t[2]};
+  return {t[0], t[1]};
+}
+
+/// For each vertex the triangles at it, ascending.
+class Incidence {
+ public:
+  /// @tparam Corners  callable: Triangle of a TriangleIndex below n_triangles
+  template <class Corners>
+  Incidence(std::size_t n_vertices, std::size_t n_triangles, Corners corners)
+      : first_(n_vertices + 1), triangles_(3 * n_triangles) {
+    for (TriangleIndex t = 0; t < n_triangles; ++t)
+      for (const VertexId v : corners(t)) ++first_[index(v)];
+    for (std::size_t v = 0, sum = 0; v <= n_vertices; ++v)
+      first_[v] = static_cast<std::uint32_t>(sum += first_[v]);
+    for (auto t = static_cast<TriangleIndex>(n_triangles); t-- > 0;)
+      for (const VertexId v : corners(t)) triangles_[--first_[index(v)]] = t;
+  }
+
+  std::span<const TriangleIndex> at(VertexId v) const {
+    return std::span(triangles_)
+        .subspan(first_[index(v)], first_[index(v) + 1] - first_[index(v)]);
+  }
+
+ private:
+  std::vector<std::uint32_t> first_;
+  std::vector<TriangleIndex> triangles_;
+};
+
+}  // namespace umbrella

@@ -1,0 +1,46 @@
+/// @file
+/// Triangles named by their corners, and the order in which the stages take
+/// them.
+#pragma once
+
+#include <array>
+#include <compare>
+#include <vector>
+
+#include "delaunay/ids.h"
+#include "delaunay/triangulation3.h"
+
+namespace umbrella {
+
+using delaunay::index;
+using delaunay::Point3;
+using delaunay::VertexId;
+
+/// Corners in ascending order.
+using Triangle = std::array<VertexId, 3>;
+
+/// Place of a triangle in the order of a criterion: smaller is better, by
+/// `primary`, then by `secondary`. No NaN.
+struct Rank {
+  double primary = 0;
+  double secondary = 0;
+
+  friend auto operator<=>(const Rank&, const Rank&) = default;
+};
+
+struct RankedTriangle {
+  Triangle corners;
+  Rank rank;
+
+  friend bool operator==(const RankedTriangle&,
+                         const RankedTriangle&) = default;
+};
+
+/// The total order of triangles: rank, then corners. As VertexIds depend on
+/// the set of points alone, so does this order.
+inline bool ranks_before(const RankedTriangle& a, const RankedTriangle& b) {
+  if (a.rank != b.rank) return a.rank < b.rank;
+  return a.corners < b.corners;
+}
+
+}  // namespace umbrella
