@@ -1,0 +1,80 @@
+#!/usr/bin/env bash
+# Every gate a change has to pass: scripts/check.sh [GATE...]
+#   format   clang-format would change no file
+#   limits   no file is too long, none holds a forbidden word
+#   gcc      g++ without a warning, all tests
+#   clang    clang++ without a warning, unit tests
+#   asan     address and undefined-behaviour sanitizers, unit tests
+#   tidy     clang-tidy on lib and apps
+# Without a gate all run, in this order; a failed gate does not stop the next.
+set -euo pipefail
+. "$(dirname "$0")/setup.sh"
+
+readonly ALL_GATES=(format limits gcc clang asan tidy)
+
+run_gate() {
+  case $1 in
+    format) scripts/format.sh --check ;;
+    limits) check_limits ;;
+    gcc) scripts/test.sh --strict ;;
+    clang) scripts/test.sh --strict --preset clang --label unit ;;
+    asan) scripts/test.sh --strict --preset asan --label unit ;;
+    tidy) check_tidy ;;
+  esac
+}
+
+check_limits() {
+  local found file most lines
+  found=$(
+    sources | while IFS= read -r file; do
+      case $file in *.h) most=150 ;; *) most=500 ;; esac
+      lines=$(wc -l <"$file")
+      [ "$lines" -le "$most" ] || echo "$file: $lines lines, limit $most"
+    done
+    sources | xargs grep -nwE 'TODO|FIXME|XXX|NOLINT[A-Z]*' || true
+  )
+  [ -z "$found" ] || {
+    echo "$found"
+    return 1
+  }
+}
+
+# Headers are seen through the sources that include them (.clang-tidy).
+check_tidy() {
+  configure clang -DWARNINGS_AS_ERRORS=ON >/dev/null
+  sources | grep -E '^(lib|apps)/.*\.cpp$' |
+    xargs --max-args=1 --max-procs="$(nproc)" \
+      clang-tidy -p build/clang --quiet 2>&1 |
+    sed -E '/^[0-9]+ warnings? generated\.$/d'
+}
+
+gates=("${@:-${ALL_GATES[@]}}")
+for gate in "${gates[@]}"; do
+  [[ " ${ALL_GATES[*]} " == *" $gate "* ]] ||
+    die "unknown gate '$gate'; see the first lines of $0"
+done
+require "${BUILD_PACKAGES[@]}" "${TEST_PACKAGES[@]}" "${GATE_PACKAGES[@]}"
+
+summary=
+failed=0
+for gate in "${gates[@]}"; do
+  say "gate $gate"
+  start=$SECONDS
+  # Not `if run_gate`: a condition would switch off -e inside the gate.
+  set +e
+  (
+    set -e
+    run_gate "$gate"
+  )
+  status=$?
+  set -e
+  verdict=passed
+  if [ $status != 0 ]; then
+    verdict=FAILED
+    failed=1
+  fi
+  summary+=$(printf '%-8s%s  %4d s' "$gate" "$verdict" $((SECONDS - start)))
+  summary+=$'\n'
+done
+printf '%s' "$summary"
+exit $failed
