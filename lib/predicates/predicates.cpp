@@ -30,22 +30,22 @@ std::array<std::size_t, kPoints> descending(
 }  // namespace
 
 int orient2d_exact(const double* a, const double* b, const double* c) {
-  return internal::orient2d_integer(a, b, c);
+  return internal::exact_sign<internal::Orient2d>({a, b, c});
 }
 
 int orient3d_exact(const double* a, const double* b, const double* c,
                    const double* d) {
-  return internal::orient3d_integer(a, b, c, d);
+  return internal::exact_sign<internal::Orient3d>({a, b, c, d});
 }
 
 int incircle_exact(const double* a, const double* b, const double* c,
                    const double* d) {
-  return internal::incircle_integer(a, b, c, d);
+  return internal::exact_sign<internal::Incircle>({a, b, c, d});
 }
 
 int insphere_exact(const double* a, const double* b, const double* c,
                    const double* d, const double* e) {
-  return internal::insphere_integer(a, b, c, d, e);
+  return internal::exact_sign<internal::Insphere>({a, b, c, d, e});
 }
 
 // With the lifted height of point i raised by h_i, the determinant gains
