@@ -98,7 +98,7 @@ struct Orient3d {
 /// det of the rows (q, |q|^2), q = a - d, b - d, c - d.
 struct Incircle {
   static constexpr std::size_t kDimension = 2, kPoints = 4, kOrigin = 3;
-  static constexpr int kInt64Bits = 14, kInt128Bits = 30;
+  static constexpr int kInt64Bits = 14, kInt128Bits = 29;
 
   template <class Minus, class Points>
   static constexpr auto evaluate(const Minus& minus, const Points& p) {
