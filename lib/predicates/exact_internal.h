@@ -1,18 +1,18 @@
 /// @file
-/// Signs by integers wide enough for the exponents at hand: the exact stage.
+/// The exact stages: right for all finite doubles. Instantiated in exact.cpp
+/// for each predicate.
 #pragma once
+
+#include "predicates/polynomial_internal.h"
 
 namespace predicates::internal {
 
-int orient2d_integer(const double* a, const double* b, const double* c);
-int orient3d_integer(const double* a, const double* b, const double* c,
-                     const double* d);
-int incircle_integer(const double* a, const double* b, const double* c,
-                     const double* d);
-int insphere_integer(const double* a, const double* b, const double* c,
-                     const double* d, const double* e);
-int gabriel_edge_integer(const double* a, const double* b, const double* p);
-int gabriel_triangle_integer(const double* a, const double* b, const double* c,
-                             const double* p);
+/// By integers wide enough for the exponents at hand.
+template <class Predicate>
+int wide_integer_sign(const Points<Predicate::kPoints>& p);
+
+/// The quickest exact stage that takes these points.
+template <class Predicate>
+int exact_sign(const Points<Predicate::kPoints>& p);
 
 }  // namespace predicates::internal

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-#include "predicates/determinant_internal.h"
+#include "predicates/polynomial_internal.h"
 
 namespace predicates::internal {
 
@@ -33,17 +33,18 @@ struct Rounded {
   }
 };
 
-inline Rounded rounded_difference(double a, double b) {
-  return {a - b, std::abs(a - b)};
+inline constexpr auto kRoundedMinus = [](double a, double b) {
+  return Rounded{a - b, std::abs(a - b)};
+};
+
+inline double squared_distance2(const double* a, const double* b) {
+  const auto u = vector2(kRoundedMinus, a, b);
+  return dot(u, u).value;
 }
 
-inline Vector2<Rounded> rounded_difference2(const double* a, const double* b) {
-  return {rounded_difference(a[0], b[0]), rounded_difference(a[1], b[1])};
-}
-
-inline Vector3<Rounded> rounded_difference3(const double* a, const double* b) {
-  return {rounded_difference(a[0], b[0]), rounded_difference(a[1], b[1]),
-          rounded_difference(a[2], b[2])};
+inline double squared_distance3(const double* a, const double* b) {
+  const auto u = vector3(kRoundedMinus, a, b);
+  return dot(u, u).value;
 }
 
 /// Sign of a value that is off by at most `bound`; 0 if that leaves it open.
@@ -57,45 +58,55 @@ constexpr int certain_sign(double value, double bound) {
 /// Unit roundoff.
 inline constexpr double kRoundoff = 0x1p-53;
 
+/// Far above what underflow adds to a product, and normal, since arithmetic
+/// with subnormals is slow.
+inline constexpr double kTiny = 0x1p-1000;
+
 inline int orient2d_filter(const double* a, const double* b, const double* c) {
-  const auto det =
-      orient2d_polynomial(rounded_difference2(b, a), rounded_difference2(c, a));
-  return certain_sign(det.value, 5 * kRoundoff * det.magnitude + 0x1p-1000);
+  const Rounded det = Orient2d::evaluate(kRoundedMinus, Points<3>{a, b, c});
+  return certain_sign(det.value, 5 * kRoundoff * det.magnitude + kTiny);
 }
 
 inline int orient3d_filter(const double* a, const double* b, const double* c,
                            const double* d) {
-  const auto u = rounded_difference3(b, a);
-  const auto v = rounded_difference3(c, a);
-  const auto w = rounded_difference3(d, a);
-  const auto det = orient3d_polynomial(u, v, w);
-  const double size = u.z.magnitude + v.z.magnitude + w.z.magnitude;
-  return certain_sign(det.value,
-                      9 * kRoundoff * det.magnitude + 0x1p-1000 * (1 + size));
+  const Rounded det = Orient3d::evaluate(kRoundedMinus, Points<4>{a, b, c, d});
+  const double size = 1 + (std::abs(b[2] - a[2]) + std::abs(c[2] - a[2]) +
+                           std::abs(d[2] - a[2]));
+  return certain_sign(det.value, 9 * kRoundoff * det.magnitude + kTiny * size);
 }
 
 inline int incircle_filter(const double* a, const double* b, const double* c,
                            const double* d) {
-  const auto u = rounded_difference2(a, d);
-  const auto v = rounded_difference2(b, d);
-  const auto w = rounded_difference2(c, d);
-  const auto det = incircle_polynomial(u, v, w);
-  const double size = dot(u, u).value + dot(v, v).value + dot(w, w).value;
-  return certain_sign(det.value,
-                      12 * kRoundoff * det.magnitude + 0x1p-1000 * (1 + size));
+  const Rounded det = Incircle::evaluate(kRoundedMinus, Points<4>{a, b, c, d});
+  const double size = 1 + (squared_distance2(a, d) + squared_distance2(b, d) +
+                           squared_distance2(c, d));
+  return certain_sign(det.value, 12 * kRoundoff * det.magnitude + kTiny * size);
 }
 
 inline int insphere_filter(const double* a, const double* b, const double* c,
                            const double* d, const double* e) {
-  const auto p = rounded_difference3(a, e);
-  const auto q = rounded_difference3(b, e);
-  const auto r = rounded_difference3(c, e);
-  const auto s = rounded_difference3(d, e);
-  const auto det = insphere_polynomial(p, q, r, s);
-  const double size = 1 + ((dot(p, p).value + dot(q, q).value) +
-                           (dot(r, r).value + dot(s, s).value));
-  return certain_sign(
-      det.value, 17 * kRoundoff * det.magnitude + 0x1p-1000 * (size * size));
+  const Rounded det =
+      Insphere::evaluate(kRoundedMinus, Points<5>{a, b, c, d, e});
+  const double size = 1 + ((squared_distance3(a, e) + squared_distance3(b, e)) +
+                           (squared_distance3(c, e) + squared_distance3(d, e)));
+  return certain_sign(det.value,
+                      17 * kRoundoff * det.magnitude + kTiny * (size * size));
+}
+
+inline int gabriel_edge_filter(const double* a, const double* b,
+                               const double* p) {
+  const Rounded g = GabrielEdge::evaluate(kRoundedMinus, Points<3>{a, b, p});
+  return certain_sign(g.value, 5 * kRoundoff * g.magnitude + kTiny);
+}
+
+inline int gabriel_triangle_filter(const double* a, const double* b,
+                                   const double* c, const double* p) {
+  const Rounded g =
+      GabrielTriangle::evaluate(kRoundedMinus, Points<4>{a, b, c, p});
+  const double size = 1 + (squared_distance3(a, c) + squared_distance3(b, c) +
+                           squared_distance3(p, c));
+  return certain_sign(g.value,
+                      20 * kRoundoff * g.magnitude + kTiny * (size * size));
 }
 
 }  // namespace predicates::internal

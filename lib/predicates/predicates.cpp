@@ -4,85 +4,100 @@
 #include <array>
 #include <cassert>
 #include <cstddef>
+#include <cstdint>
 
 #include "predicates/exact_internal.h"
+#include "predicates/small_integer_internal.h"
 
 namespace predicates {
 namespace {
 
-/// Positions of the points, the lexicographically largest point first.
-template <std::size_t kDim, std::size_t kPoints>
-std::array<std::size_t, kPoints> descending(
-    const std::array<const double*, kPoints>& point) {
-  std::array<std::size_t, kPoints> order;
-  for (std::size_t i = 0; i < kPoints; ++i) {
-    std::size_t j = i;
-    for (; j > 0 && std::lexicographical_compare(point[order[j - 1]],
-                                                 point[order[j - 1]] + kDim,
-                                                 point[i], point[i] + kDim);
-         --j)
-      order[j] = order[j - 1];
-    order[j] = i;
+using internal::Incircle;
+using internal::Insphere;
+using internal::LatticePoints;
+using internal::Orient2d;
+using internal::Orient3d;
+using internal::Points;
+
+/// Sign of a vanishing in-circle or in-sphere determinant once every lifted
+/// point is raised, the lexicographically larger the more, by orders of
+/// magnitude. Raising corner i by h adds h times the orientation of the simplex
+/// with the query in place of i; raising the query takes away h times the
+/// orientation of the simplex, which is positive. So the largest point with a
+/// non-zero factor decides.
+template <class Predicate, class P, class Orient>
+int raised_sign(const P& p, const Orient& orient) {
+  constexpr std::size_t kQuery = Predicate::kPoints - 1;
+  std::array<bool, Predicate::kPoints> done{};
+  while (true) {
+    std::size_t largest = kQuery;
+    for (std::size_t i = 0; i < kQuery; ++i) {
+      if (!done[i] && std::lexicographical_compare(
+                          p[largest], p[largest] + Predicate::kDimension, p[i],
+                          p[i] + Predicate::kDimension))
+        largest = i;
+    }
+    if (largest == kQuery) return -1;
+    P replaced = p;
+    replaced[largest] = p[kQuery];
+    const int decided = orient(replaced);
+    if (decided != 0) return decided;
+    done[largest] = true;
   }
-  return order;
+}
+
+/// The tie-break needs no coordinates but the lattice's, if there is one.
+template <class Predicate, class Orient>
+int perturbed_sign(const Points<Predicate::kPoints>& p) {
+  static_assert(Predicate::kInt128Bits < Orient::kInt128Bits);
+  LatticePoints<Predicate> lattice;
+  if (lattice.assign(p) && lattice.bits <= Predicate::kInt128Bits) {
+    const auto n = lattice.points();
+    const int exact = internal::small_integer_sign<Predicate>(n, lattice.bits);
+    if (exact != 0) return exact;
+    return raised_sign<Predicate>(n, [&lattice](const auto& q) {
+      return internal::small_integer_sign<Orient>(q, lattice.bits + 1);
+    });
+  }
+  const int exact = internal::wide_integer_sign<Predicate>(p);
+  if (exact != 0) return exact;
+  return raised_sign<Predicate>(p, [](const auto& q) {
+    if constexpr (Predicate::kDimension == 2)
+      return orient2d(q[0], q[1], q[2]);
+    else
+      return orient3d(q[0], q[1], q[2], q[3]);
+  });
 }
 
 }  // namespace
 
 int orient2d_exact(const double* a, const double* b, const double* c) {
-  return internal::orient2d_integer(a, b, c);
+  return internal::exact_sign<Orient2d>({a, b, c});
 }
 
 int orient3d_exact(const double* a, const double* b, const double* c,
                    const double* d) {
-  return internal::orient3d_integer(a, b, c, d);
+  return internal::exact_sign<Orient3d>({a, b, c, d});
 }
 
 int incircle_exact(const double* a, const double* b, const double* c,
                    const double* d) {
-  return internal::incircle_integer(a, b, c, d);
+  return internal::exact_sign<Incircle>({a, b, c, d});
 }
 
 int insphere_exact(const double* a, const double* b, const double* c,
                    const double* d, const double* e) {
-  return internal::insphere_integer(a, b, c, d, e);
+  return internal::exact_sign<Insphere>({a, b, c, d, e});
 }
 
-// With the lifted height of point i raised by h_i, the determinant gains
-// h_i times the orientation with the query in place of i, over the
-// orientation of the simplex; the query's own raise counts against it. The
-// raises differ by orders of magnitude: the largest point with a non-zero
-// factor decides.
 int incircle_perturbed_exact(const double* a, const double* b, const double* c,
                              const double* d) {
-  const int exact = incircle_exact(a, b, c, d);
-  if (exact != 0) return exact;
-  const std::array<const double*, 4> point = {a, b, c, d};
-  for (const std::size_t largest : descending<2>(point)) {
-    if (largest == 3) return -1;
-    std::array<const double*, 4> p = point;
-    p[largest] = d;
-    const int decided = orient2d(p[0], p[1], p[2]);
-    if (decided != 0) return decided;
-  }
-  assert(false && "a, b, c are collinear or d is one of them");
-  return -1;
+  return perturbed_sign<Incircle, Orient2d>({a, b, c, d});
 }
 
 int insphere_perturbed_exact(const double* a, const double* b, const double* c,
                              const double* d, const double* e) {
-  const int exact = insphere_exact(a, b, c, d, e);
-  if (exact != 0) return exact;
-  const std::array<const double*, 5> point = {a, b, c, d, e};
-  for (const std::size_t largest : descending<3>(point)) {
-    if (largest == 4) return -1;
-    std::array<const double*, 5> p = point;
-    p[largest] = e;
-    const int decided = orient3d(p[0], p[1], p[2], p[3]);
-    if (decided != 0) return decided;
-  }
-  assert(false && "a, b, c, d are coplanar or e is one of them");
-  return -1;
+  return perturbed_sign<Insphere, Orient3d>({a, b, c, d, e});
 }
 
 }  // namespace predicates

@@ -4,7 +4,7 @@
 /// Finite doubles are integers times a common power of two, so their
 /// differences are exact integers. A product has as many limbs as its factors
 /// together, so nothing overflows by multiplying; sums keep the width, and the
-/// spare bits that WideInt<L>::kDifferenceBits leaves make room for them
+/// spare bits that difference_bits() leaves make room for them
 /// (docs/math.md, "Integer stage").
 #pragma once
 
@@ -18,12 +18,12 @@ namespace predicates::internal {
 __extension__ using Int128 = __int128;
 __extension__ using Uint128 = unsigned __int128;
 
+/// Differences of at most 2^difference_bits(L), in L limbs, leave room for
+/// every sum in polynomial_internal.h.
+constexpr int difference_bits(int limbs) { return 64 * limbs - 2; }
+
 template <std::size_t kLimbs>
 struct WideInt {
-  /// Differences of magnitude below 2^kDifferenceBits leave room for every
-  /// sum in determinant_internal.h.
-  static constexpr int kDifferenceBits = 64 * static_cast<int>(kLimbs) - 2;
-
   std::array<std::uint64_t, kLimbs> limb;  // least significant first
 
   constexpr bool is_negative() const { return limb[kLimbs - 1] >> 63U != 0; }
