@@ -1,0 +1,225 @@
+#include "ilp/analysis.h"
+
+#include <algorithm>
+#include <cassert>
+#include <set>
+
+namespace ilp {
+
+const Lesson& Analyzer::analyze(const Propagator& propagator,
+                                const Conflict& conflict,
+                                Derivations& derivations) {
+  propagator_ = &propagator;
+  derivations_ = &derivations;
+  lesson_.literals.clear();
+  lesson_.touched.clear();
+
+  find_first_uip(conflict);
+  lesson_.touched = seen_;
+  minimize();
+  find_level_and_glue();
+
+  for (const VarId v : seen_) is_seen_[index(v)] = 0;
+  seen_.clear();
+  return lesson_;
+}
+
+// Resolves backwards along the trail until one literal of the conflict's level
+// is left: that one comes first in the clause.
+void Analyzer::find_first_uip(const Conflict& conflict) {
+  conflict_level_ = 0;
+  for (const Literal l : conflict.literals)
+    conflict_level_ = std::max(conflict_level_, propagator_->level(l.var()));
+  assert(conflict_level_ > 0);
+
+  n_unresolved_ = 0;
+  lesson_.literals.emplace_back();
+  derivations_->use(propagator_->origin(conflict.reason));
+  see(conflict.literals);
+  auto l = propagator_->trail().end();
+  for (;;) {
+    do {
+      --l;
+    } while (!is_seen_[index(l->var())] ||
+             propagator_->level(l->var()) != conflict_level_);
+    if (--n_unresolved_ == 0) break;
+    derivations_->use(propagator_->origin(propagator_->reason(l->var())));
+    explanation_.clear();
+    propagator_->explain(*l, explanation_);
+    see(explanation_);
+  }
+  lesson_.literals.front() = !*l;
+}
+
+void Analyzer::see(std::span<const Literal> literals) {
+  for (const Literal l : literals) {
+    if (is_seen_[index(l.var())]) continue;
+    is_seen_[index(l.var())] = 1;
+    seen_.push_back(l.var());
+    const std::uint32_t level = propagator_->level(l.var());
+    if (level == 0) {
+      derivations_->use(Antecedent::value_of(l.var()));
+    } else if (level == conflict_level_) {
+      ++n_unresolved_;
+    } else {
+      lesson_.literals.push_back(!l);
+    }
+  }
+}
+
+// Drops the literals that the others imply.
+void Analyzer::minimize() {
+  levels_.clear();
+  for (const Literal l : lesson_.literals)
+    levels_.push_back(propagator_->level(l.var()));
+  std::ranges::sort(levels_);
+  std::erase_if(lesson_.literals,
+                [this, first = lesson_.literals.front()](Literal l) {
+                  return l != first && is_implied_by_rest(!l);
+                });
+}
+
+bool Analyzer::is_implied_by_rest(Literal l) {
+  const std::size_t n_seen = seen_.size();
+  const std::size_t n_used = derivations_->n_used();
+  stack_.assign(1, l);
+  bool is_implied = true;
+  while (is_implied && !stack_.empty()) {
+    const Literal top = stack_.back();
+    stack_.pop_back();
+    is_implied = expand(top);
+  }
+  if (!is_implied) {
+    for (std::size_t i = n_seen; i < seen_.size(); ++i)
+      is_seen_[index(seen_[i])] = 0;
+    seen_.resize(n_seen);
+    derivations_->drop(n_used);
+  }
+  return is_implied;
+}
+
+// Puts what implies l on the stack, unless it is known to follow from the
+// clause. False if l is a decision, or owes to a level that the clause lacks
+// and so must owe to another decision.
+bool Analyzer::expand(Literal l) {
+  const Reason reason = propagator_->reason(l.var());
+  if (reason.kind == Reason::Kind::None) return false;
+  derivations_->use(propagator_->origin(reason));
+  explanation_.clear();
+  propagator_->explain(l, explanation_);
+  for (const Literal e : explanation_) {
+    if (is_seen_[index(e.var())]) continue;
+    const std::uint32_t level = propagator_->level(e.var());
+    if (level == 0) {
+      derivations_->use(Antecedent::value_of(e.var()));
+    } else if (std::ranges::binary_search(levels_, level)) {
+      stack_.push_back(e);
+    } else {
+      return false;
+    }
+    is_seen_[index(e.var())] = 1;
+    seen_.push_back(e.var());
+  }
+  return true;
+}
+
+// Puts a literal of the second highest level second.
+void Analyzer::find_level_and_glue() {
+  std::vector<Literal>& literals = lesson_.literals;
+  levels_.clear();
+  for (const Literal l : literals)
+    levels_.push_back(propagator_->level(l.var()));
+  lesson_.level = 0;
+  if (literals.size() > 1) {
+    const auto second = std::max_element(levels_.begin() + 1, levels_.end());
+    lesson_.level = *second;
+    std::swap(literals[1],
+              literals[static_cast<std::size_t>(second - levels_.begin())]);
+  }
+  std::ranges::sort(levels_);
+  const auto repeated = std::ranges::unique(levels_);
+  lesson_.glue = static_cast<std::uint32_t>(repeated.begin() - levels_.begin());
+}
+
+namespace {
+
+// Walks back from a conflict to constraints and decisions, each thing once.
+class CoreFinder {
+ public:
+  CoreFinder(const Propagator& propagator, const Derivations& derivations)
+      : propagator_(propagator),
+        derivations_(derivations),
+        is_seen_(propagator.n_variables(), false) {}
+
+  Core run(const Conflict& conflict) {
+    meet(propagator_.origin(conflict.reason));
+    for (const Literal l : conflict.literals) meet(l);
+    while (!literals_.empty() || !learned_.empty()) {
+      if (learned_.empty()) {
+        expand_literal();
+      } else {
+        expand_learned();
+      }
+    }
+    core_.constraints.assign(constraints_.begin(), constraints_.end());
+    return std::move(core_);
+  }
+
+ private:
+  void meet(Literal l) {
+    if (is_seen_[index(l.var())]) return;
+    is_seen_[index(l.var())] = true;
+    literals_.push_back(l);
+  }
+
+  void meet(Antecedent a) {
+    if (a.is_constraint()) {
+      constraints_.insert(a.constraint());
+    } else if (a.is_value()) {
+      const VarId v{a.index()};
+      meet(Literal(v, propagator_.holds(Literal(v, true))));
+    } else if (a.is_learned() && derivations_.is_complete() &&
+               seen_learned_.insert(a.index()).second) {
+      learned_.push_back(a);
+    }
+  }
+
+  void expand_literal() {
+    const Literal l = literals_.back();
+    literals_.pop_back();
+    const Reason reason = propagator_.reason(l.var());
+    if (reason.kind == Reason::Kind::None) {
+      if (propagator_.level(l.var()) > 0) core_.assumptions.push_back(l);
+      return;
+    }
+    meet(propagator_.origin(reason));
+    explanation_.clear();
+    propagator_.explain(l, explanation_);
+    for (const Literal e : explanation_) meet(e);
+  }
+
+  void expand_learned() {
+    const Antecedent learned = learned_.back();
+    learned_.pop_back();
+    for (const Antecedent a : derivations_.of(learned)) meet(a);
+  }
+
+  const Propagator& propagator_;
+  const Derivations& derivations_;
+  Core core_;
+  std::set<ConstraintId> constraints_;
+  std::set<std::uint32_t> seen_learned_;
+  std::vector<bool> is_seen_;
+  std::vector<Literal> literals_;
+  std::vector<Antecedent> learned_;
+  std::vector<Literal> explanation_;
+};
+
+}  // namespace
+
+Core find_core(const Propagator& propagator, const Derivations& derivations,
+               const Conflict& conflict) {
+  return CoreFinder(propagator, derivations).run(conflict);
+}
+
+}  // namespace ilp

@@ -1,0 +1,62 @@
+/// @file
+/// What a conflict teaches, and which constraints a refutation used.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "ilp/antecedents.h"
+#include "ilp/problem.h"
+#include "ilp/propagate.h"
+#include "ilp/solver.h"
+
+namespace ilp {
+
+/// A clause that follows from the constraints, false at present but for its
+/// first literal once the levels above `level` are taken back.
+struct Lesson {
+  std::vector<Literal> literals;
+  std::uint32_t level = 0;
+  std::uint32_t glue = 0;      ///< number of levels among its literals
+  std::vector<VarId> touched;  ///< variables met on the way
+};
+
+/// First unique implication point [Marques99], clause minimised
+/// [Soerensson09]. Its working memory is kept from call to call.
+class Analyzer {
+ public:
+  explicit Analyzer(std::size_t n_variables) : is_seen_(n_variables, 0) {}
+
+  /// @param conflict     not all of whose literals hold at level 0
+  /// @param derivations  gets the antecedents of the lesson
+  const Lesson& analyze(const Propagator& propagator, const Conflict& conflict,
+                        Derivations& derivations);
+
+ private:
+  void find_first_uip(const Conflict& conflict);
+  void see(std::span<const Literal> literals);
+  void minimize();
+  bool is_implied_by_rest(Literal l);
+  bool expand(Literal l);
+  void find_level_and_glue();
+
+  const Propagator* propagator_ = nullptr;
+  Derivations* derivations_ = nullptr;
+  Lesson lesson_;
+  std::uint32_t conflict_level_ = 0;
+  std::size_t n_unresolved_ = 0;  // seen literals of the conflict's level
+  std::vector<std::uint8_t> is_seen_;
+  std::vector<VarId> seen_;
+  std::vector<Literal> explanation_;
+  std::vector<Literal> stack_;
+  std::vector<std::uint32_t> levels_;
+};
+
+/// The constraints that together give the conflict, and the decisions of the
+/// levels above 0, which are called assumptions.
+/// @pre derivations.is_complete(); else constraints are missing
+Core find_core(const Propagator& propagator, const Derivations& derivations,
+               const Conflict& conflict);
+
+}  // namespace ilp

@@ -1,0 +1,61 @@
+#include "ilp/clause_store.h"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+namespace ilp {
+
+bool normalize(std::vector<Literal>& clause) {
+  std::ranges::sort(clause);
+  const auto repeated = std::ranges::unique(clause);
+  clause.erase(repeated.begin(), repeated.end());
+  return std::ranges::adjacent_find(clause, [](Literal a, Literal b) {
+           return a.var() == b.var();
+         }) == clause.end();
+}
+
+ClauseRef ClauseStore::add(std::span<const Literal> literals, Antecedent origin,
+                           std::uint32_t glue) {
+  constexpr std::size_t kMax = std::numeric_limits<std::uint32_t>::max();
+  if (literals.size() > kMax - literals_.size())
+    throw std::length_error("ilp: the clauses have 2^32 literals");
+  const ClauseRef ref{static_cast<std::uint32_t>(clauses_.size())};
+  clauses_.push_back({static_cast<std::uint32_t>(literals_.size()),
+                      static_cast<std::uint32_t>(literals.size()), origin,
+                      glue});
+  literals_.insert(literals_.end(), literals.begin(), literals.end());
+  if (literals.size() >= 2) {
+    watches(literals[0]).push_back({ref, literals[1]});
+    watches(literals[1]).push_back({ref, literals[0]});
+  }
+  return ref;
+}
+
+std::vector<ClauseRef> ClauseStore::compact(
+    const std::vector<bool>& is_garbage) {
+  std::vector<ClauseRef> moved(clauses_.size());
+  std::uint32_t n_kept = 0;
+  std::uint32_t end = 0;
+  for (std::size_t i = 0; i < clauses_.size(); ++i) {
+    if (is_garbage[i]) continue;
+    Clause c = clauses_[i];
+    for (std::uint32_t k = 0; k < c.size; ++k)
+      literals_[end + k] = literals_[c.begin + k];
+    c.begin = end;
+    end += c.size;
+    clauses_[n_kept] = c;
+    moved[i] = ClauseRef{n_kept++};
+  }
+  clauses_.resize(n_kept);
+  literals_.resize(end);
+  for (std::vector<Watch>& list : watches_) {
+    std::erase_if(list, [&is_garbage](Watch w) {
+      return is_garbage[static_cast<std::size_t>(w.clause)];
+    });
+    for (Watch& w : list) w.clause = moved[static_cast<std::size_t>(w.clause)];
+  }
+  return moved;
+}
+
+}  // namespace ilp

@@ -1,0 +1,136 @@
+#include "ilp/problem.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace ilp {
+namespace {
+
+constexpr std::size_t kMaxVariables = std::size_t{1} << 29U;
+
+template <class T>
+ConstraintId add_row(Rows<T>& rows, std::span<const T> row,
+                     ConstraintKind kind) {
+  if (rows.size() >= kMaxVariables)
+    throw std::length_error("ilp: more than 2^29 constraints of one kind");
+  rows.add(row);
+  return {kind, static_cast<std::uint32_t>(rows.size() - 1)};
+}
+
+// Degrees alone allow several cycles: what one walk does not meet is another.
+bool is_one_cycle(std::vector<Spoke> spokes) {
+  const std::uint32_t start = spokes.back().a;
+  std::uint32_t node = spokes.back().b;
+  spokes.pop_back();
+  while (node != start) {
+    const auto next = std::ranges::find_if(
+        spokes, [node](const Spoke& s) { return s.a == node || s.b == node; });
+    if (next == spokes.end()) return false;
+    node = next->a == node ? next->b : next->a;
+    spokes.erase(next);
+  }
+  return spokes.empty();
+}
+
+bool has_simple_degrees(std::span<const Spoke> spokes) {
+  std::vector<std::uint32_t> ends;
+  for (const Spoke& s : spokes) ends.insert(ends.end(), {s.a, s.b});
+  return std::ranges::all_of(ends, [&ends](std::uint32_t node) {
+    return std::ranges::count(ends, node) == 2;
+  });
+}
+
+bool pair_holds(std::span<const VarId> vars, const Model& model) {
+  const auto n_true = std::ranges::count_if(
+      vars, [&model](VarId v) { return model[index(v)]; });
+  return n_true == 0 || n_true == 2;
+}
+
+bool ring_holds(std::span<const Spoke> ring, bool optional,
+                const Model& model) {
+  std::vector<Spoke> spokes;
+  for (const Spoke& s : ring)
+    if (model[index(s.var)]) spokes.push_back(s);
+  if (spokes.empty()) return optional;
+  return has_simple_degrees(spokes) && is_one_cycle(spokes);
+}
+
+std::string name(const char* kind, std::size_t i) {
+  return std::string(kind) + " " + std::to_string(i);
+}
+
+}  // namespace
+
+VarId Problem::add_variable() { return add_variables(1); }
+
+VarId Problem::add_variables(std::size_t n) {
+  const std::size_t first = mark_.size();
+  if (n > kMaxVariables - first)
+    throw std::length_error("ilp: more than 2^29 variables");
+  mark_.resize(first + n, 0);
+  return VarId{static_cast<std::uint32_t>(first)};
+}
+
+ConstraintId Problem::add_pair(std::span<const VarId> vars) {
+  ++n_checks_;
+  for (const VarId v : vars) check_distinct(v);
+  return add_row(pairs_, vars, ConstraintKind::Pair);
+}
+
+ConstraintId Problem::add_ring(std::span<const Spoke> spokes, bool optional) {
+  ++n_checks_;
+  for (const Spoke& s : spokes) {
+    check_distinct(s.var);
+    if (s.a == s.b || std::max(s.a, s.b) >= 2 * spokes.size())
+      throw std::invalid_argument("ilp: spoke " + std::to_string(s.a) + " " +
+                                  std::to_string(s.b) + " of ring " +
+                                  std::to_string(n_rings()));
+  }
+  const ConstraintId id = add_row(rings_, spokes, ConstraintKind::Ring);
+  is_optional_.push_back(optional);
+  return id;
+}
+
+ConstraintId Problem::add_clause(std::span<const Literal> literals) {
+  for (const Literal l : literals) check_known(l.var());
+  return add_row(clauses_, literals, ConstraintKind::Clause);
+}
+
+void Problem::fix(VarId var, bool value) {
+  check_known(var);
+  fixed_.emplace_back(var, value);
+}
+
+void Problem::check_known(VarId var) const {
+  if (index(var) >= n_variables())
+    throw std::invalid_argument("ilp: no variable " +
+                                std::to_string(index(var)));
+}
+
+void Problem::check_distinct(VarId var) {
+  check_known(var);
+  if (mark_[index(var)] == n_checks_)
+    throw std::invalid_argument("ilp: variable " + std::to_string(index(var)) +
+                                " twice in one constraint");
+  mark_[index(var)] = n_checks_;
+}
+
+std::string first_violation(const Problem& problem, const Model& model) {
+  if (model.size() != problem.n_variables()) return "size of the model";
+  const auto holds = [&model](Literal l) {
+    return model[index(l.var())] == l.value();
+  };
+  for (const Literal l : problem.fixed())
+    if (!holds(l)) return name("fixed variable", index(l.var()));
+  for (std::size_t i = 0; i < problem.n_pairs(); ++i)
+    if (!pair_holds(problem.pair(i), model)) return name("pair", i);
+  for (std::size_t i = 0; i < problem.n_rings(); ++i)
+    if (!ring_holds(problem.ring(i), problem.is_optional(i), model))
+      return name("ring", i);
+  for (std::size_t i = 0; i < problem.n_clauses(); ++i)
+    if (std::ranges::none_of(problem.clause(i), holds))
+      return name("clause", i);
+  return {};
+}
+
+}  // namespace ilp

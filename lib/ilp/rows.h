@@ -1,0 +1,54 @@
+/// @file
+/// Rows of different lengths in one flat array.
+#pragma once
+
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <stdexcept>
+#include <vector>
+
+namespace ilp {
+
+template <class T>
+class Rows {
+ public:
+  std::size_t size() const { return begin_.size() - 1; }
+  std::size_t n_items() const { return items_.size(); }
+  std::span<const T> operator[](std::size_t row) const {
+    return {items_.data() + begin_[row], items_.data() + begin_[row + 1]};
+  }
+
+  /// @throws std::length_error  there would be 2^32 items
+  void add(std::span<const T> row) {
+    constexpr std::size_t kMax = std::numeric_limits<std::uint32_t>::max();
+    if (row.size() > kMax - items_.size())
+      throw std::length_error("ilp: the constraints have 2^32 terms");
+    items_.insert(items_.end(), row.begin(), row.end());
+    begin_.push_back(static_cast<std::uint32_t>(items_.size()));
+  }
+
+  /// Rows 0 .. n_rows-1 of the entries (key_of(i), item_of(i)), i < n_entries,
+  /// each row in ascending i.
+  template <class KeyOf, class ItemOf>
+  static Rows grouped(std::size_t n_rows, std::size_t n_entries, KeyOf key_of,
+                      ItemOf item_of) {
+    Rows rows;
+    rows.begin_.assign(n_rows + 1, 0);
+    for (std::size_t i = 0; i < n_entries; ++i) ++rows.begin_[key_of(i)];
+    std::uint32_t end = 0;
+    for (std::uint32_t& begin : rows.begin_) begin = end += begin;
+    rows.items_.resize(n_entries);
+    for (std::size_t i = n_entries; i-- > 0;)
+      rows.items_[--rows.begin_[key_of(i)]] = item_of(i);
+    return rows;
+  }
+
+ private:
+  std::vector<T> items_;
+  std::vector<std::uint32_t> begin_ = {0};
+};
+
+}  // namespace ilp

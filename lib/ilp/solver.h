@@ -1,0 +1,88 @@
+/// @file
+/// Conflict-driven search for a solution of a 0/1 program.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "ilp/problem.h"
+
+namespace ilp {
+
+enum class Status {
+  Feasible,    ///< there is a model
+  Optimal,     ///< there is a model, and no better one
+  Infeasible,  ///< there is none
+  Limit        ///< not known within the limits
+};
+
+/// How long a call may take. Counts give the same result on every run.
+struct Limits {
+  std::uint64_t conflicts = std::numeric_limits<std::uint64_t>::max();
+  std::uint64_t propagations = std::numeric_limits<std::uint64_t>::max();
+  double seconds = std::numeric_limits<double>::infinity();
+};
+
+/// Totals since the solver was made.
+struct Statistics {
+  std::uint64_t conflicts = 0;
+  std::uint64_t decisions = 0;
+  std::uint64_t propagations = 0;  ///< literals assigned and followed up
+  std::uint64_t restarts = 0;
+};
+
+/// Why there is no model: with the problem's fixed values, these constraints
+/// and assumptions contradict each other. Few, not always fewest.
+struct Core {
+  std::vector<ConstraintId> constraints;  ///< ascending
+  std::vector<Literal> assumptions;       ///< ascending
+};
+
+enum class Branching {
+  Static,   ///< always by priority: the first model is the least (improve.h)
+  Adaptive  ///< variables of recent conflicts first
+};
+
+class Solver {
+ public:
+  explicit Solver(const Problem& problem);
+  ~Solver();
+  Solver(Solver&&) noexcept;
+  Solver& operator=(Solver&&) noexcept;
+
+  /// Variables to decide first, each once; the others follow by number. A
+  /// decision sets its variable false.
+  void set_priority(std::span<const VarId> order);
+  void set_branching(Branching branching);
+
+  /// Adds a constraint for all later calls.
+  /// @return its id: clauses are counted on from those of the problem
+  /// @throws std::invalid_argument  unknown variable
+  ConstraintId add_clause(std::span<const Literal> literals);
+
+  /// Looks for a model in which the assumptions hold. What was learned serves
+  /// later calls; those whose assumptions begin alike are the quickest.
+  /// @return Feasible, Infeasible or Limit
+  /// @throws std::invalid_argument  unknown variable
+  Status solve(std::span<const Literal> assumptions = {},
+               const Limits& limits = {});
+
+  /// The last model found; all false before.
+  const Model& model() const;
+
+  /// @pre the last call was a solve() that returned Infeasible. After some
+  ///   3 10^7 steps of derivation the solver forgets them, and then names all
+  ///   constraints.
+  Core core() const;
+
+  Statistics statistics() const;
+
+ private:
+  class Search;
+  std::unique_ptr<Search> search_;
+};
+
+}  // namespace ilp
