@@ -50,7 +50,7 @@ TEST(Triangulation2, IsSoundOnEveryFamily) {
 
 TEST(Triangulation2, HoldsExactlyTheTrianglesWithEmptyCircles) {
   for (const Family family : kFamilies) {
-    for (std::size_t n = 3; n <= 50; n = 2 * n - 1) {
+    for (const std::size_t n : {3, 5, 9, 17, 25}) {
       SCOPED_TRACE(trace(family, n));
       const Triangulation2 t(make_points<2>(family, n, 100 + n));
       EXPECT_EQ(tests::first_full_ball(t), "");
@@ -147,7 +147,7 @@ TEST(SlowTriangulation2, IsSoundOnLargeFamilies) {
 TEST(SlowTriangulation2, HoldsExactlyTheTrianglesWithEmptyCircles) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     for (const Family family : kFamilies) {
-      const std::size_t n = 3 + seed % 38;
+      const std::size_t n = 11 + seed;
       SCOPED_TRACE(trace(family, n) << ", seed " << seed);
       const Triangulation2 t(make_points<2>(family, n, 1000 + seed));
       EXPECT_EQ(first_violation(t), "");

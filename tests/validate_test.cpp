@@ -233,7 +233,7 @@ TYPED_TEST(Damage, IsFoundWhereverItIs) {
     auto bad = good;
     const std::size_t c = rng() % bad.cells.size();
     auto& cell = bad.cells[c];
-    const unsigned i = rng() % TypeParam::kDim;
+    const auto i = static_cast<unsigned>(rng() % TypeParam::kDim);
     std::swap(cell.vertex[i], cell.vertex[(i + 1) % TypeParam::kDim]);
     EXPECT_NE(bad.violation(), "") << "swapped corners of cell " << c;
 
