@@ -53,7 +53,7 @@ Site cube(double u, double v);
 Site plate(double u, double v);
 Site two_sheets(double u, double v);
 
-/// n sites of a surface, no two of them nearer than about 0.75 of the distance
+/// n sites of a surface, no two of them nearer than about 0.6 of the distance
 /// of the best packing; `spacing` is that least distance, absolute.
 std::vector<Site> scatter(Surface surface, std::size_t n, Random& random);
 
