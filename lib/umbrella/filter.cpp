@@ -6,87 +6,12 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <utility>
 
 #include "umbrella/incidence_internal.h"
+#include "umbrella/link_graph_internal.h"
 
 namespace umbrella {
 namespace {
-
-using NodeIndex = std::uint32_t;
-
-/// The graph G_v of one vertex after another, built edge by edge.
-class LinkGraph {
- public:
-  explicit LinkGraph(std::size_t n_vertices) : node_of_vertex_(n_vertices) {}
-
-  void clear() {
-    for (const Node& node : nodes_) node_of_vertex_[index(node.vertex)] = 0;
-    nodes_.clear();
-    edges_.clear();
-  }
-
-  /// Adds an edge. @return whether it closes a cycle
-  bool add(const LinkEdge& ends) {
-    const std::pair edge(node(ends[0]), node(ends[1]));
-    const auto name = static_cast<std::uint32_t>(edges_.size());
-    edges_.push_back(edge);
-    for (const NodeIndex n : {edge.first, edge.second}) {
-      ++nodes_[n].degree;
-      nodes_[n].edges ^= name;
-    }
-    const NodeIndex a = root(edge.first), b = root(edge.second);
-    nodes_[a].parent = b;
-    return a == b;
-  }
-
-  /// Peels leaves until none is left. @return for each edge, in the order of
-  ///   add(), whether it stays
-  const std::vector<bool>& peel() {
-    stays_.assign(edges_.size(), true);
-    for (NodeIndex leaf = 0; leaf < nodes_.size(); ++leaf) {
-      NodeIndex n = leaf;
-      while (nodes_[n].degree == 1) {
-        const std::uint32_t edge = nodes_[n].edges;
-        stays_[edge] = false;
-        nodes_[n].degree = 0;
-        n ^= edges_[edge].first ^ edges_[edge].second;
-        --nodes_[n].degree;
-        nodes_[n].edges ^= edge;
-      }
-    }
-    return stays_;
-  }
-
- private:
-  struct Node {
-    VertexId vertex;
-    NodeIndex parent;      // union-find
-    std::uint32_t degree;  // edges at it, less the peeled ones
-    std::uint32_t edges;   // XOR of their positions: at a leaf, its edge
-  };
-
-  NodeIndex node(VertexId v) {
-    NodeIndex& known = node_of_vertex_[index(v)];
-    if (known == 0) {
-      const auto fresh = static_cast<NodeIndex>(nodes_.size());
-      nodes_.push_back({v, fresh, 0, 0});
-      known = fresh + 1;
-    }
-    return known - 1;
-  }
-
-  NodeIndex root(NodeIndex n) {
-    while (nodes_[n].parent != n)
-      n = nodes_[n].parent = nodes_[nodes_[n].parent].parent;
-    return n;
-  }
-
-  std::vector<NodeIndex> node_of_vertex_;  // 1 + node; 0 is none
-  std::vector<Node> nodes_;
-  std::vector<std::pair<NodeIndex, NodeIndex>> edges_;
-  std::vector<bool> stays_;
-};
 
 /// The umbrella of one vertex after another.
 class UmbrellaPicker {

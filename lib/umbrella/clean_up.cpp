@@ -1,0 +1,198 @@
+// A deletion changes types only at the three corners, so each round looks at
+// the corners of the round before; triangles of type 3 wait in a heap and are
+// looked at again when they come up.
+#include "umbrella/clean_up.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <numeric>
+#include <queue>
+
+#include "umbrella/link_graph_internal.h"
+
+namespace umbrella {
+namespace {
+
+enum class Fate : std::uint8_t { Alive, Type2, Type3, Dissolved };
+
+class CleanUp {
+ public:
+  CleanUp(std::size_t n_vertices, std::span<const RankedTriangle> triangles)
+      : triangles_(triangles),
+        incidence_(n_vertices, triangles.size(),
+                   [&](TriangleIndex t) -> const Triangle& {
+                     return triangles[t].corners;
+                   }),
+        graph_(n_vertices),
+        fate_(triangles.size(), Fate::Alive),
+        type3_corners_(triangles.size()),
+        has_umbrella_(n_vertices),
+        is_dirty_(n_vertices, true),
+        worst_first_(RanksBefore{triangles}) {}
+
+  void delete_types_2_and_3();
+  void dissolve_pieces(std::size_t largest);
+  CleanUpResult result() const;
+
+ private:
+  struct RanksBefore {
+    std::span<const RankedTriangle> triangles;
+    bool operator()(TriangleIndex a, TriangleIndex b) const {
+      return ranks_before(triangles[a], triangles[b]);
+    }
+  };
+
+  void classify(VertexId v, std::vector<TriangleIndex>& type2);
+  std::vector<TriangleIndex> worst_type3();
+  std::vector<VertexId> delete_all(std::span<const TriangleIndex> doomed,
+                                   Fate fate);
+
+  std::span<const RankedTriangle> triangles_;
+  Incidence incidence_;
+  LinkGraph graph_;
+  std::vector<Fate> fate_;
+  std::vector<std::uint8_t> type3_corners_;  // bit i: of type 3 at corner i
+  std::vector<bool> has_umbrella_;
+  std::vector<bool> is_dirty_;
+  /// All triangles of type 3, and some that were.
+  std::priority_queue<TriangleIndex, std::vector<TriangleIndex>, RanksBefore>
+      worst_first_;
+  std::vector<TriangleIndex> alive_at_v_;
+};
+
+void CleanUp::delete_types_2_and_3() {
+  std::vector<VertexId> dirty(has_umbrella_.size());
+  for (std::size_t v = 0; v < dirty.size(); ++v)
+    dirty[v] = VertexId{static_cast<std::uint32_t>(v)};
+  while (!dirty.empty()) {
+    std::vector<TriangleIndex> type2;
+    for (const VertexId v : dirty) classify(v, type2);
+    dirty = type2.empty() ? delete_all(worst_type3(), Fate::Type3)
+                          : delete_all(type2, Fate::Type2);
+  }
+}
+
+/// Brings what is known about v up to date, and appends its triangles of type
+/// 2, alive until the round ends.
+void CleanUp::classify(VertexId v, std::vector<TriangleIndex>& type2) {
+  is_dirty_[index(v)] = false;
+  graph_.clear();
+  alive_at_v_.clear();
+  for (const TriangleIndex t : incidence_.at(v)) {
+    if (fate_[t] != Fate::Alive) continue;
+    alive_at_v_.push_back(t);
+    graph_.add(opposite_edge(triangles_[t].corners, v));
+  }
+  const std::vector<bool>& in_umbrella = graph_.drop_bridges();
+  const bool one = graph_.is_one_cycle();
+  has_umbrella_[index(v)] = std::find(in_umbrella.begin(), in_umbrella.end(),
+                                      true) != in_umbrella.end();
+
+  for (std::size_t k = 0; k < alive_at_v_.size(); ++k) {
+    const TriangleIndex t = alive_at_v_[k];
+    const auto& corners = triangles_[t].corners;
+    const auto bit = static_cast<std::uint8_t>(
+        1U << (std::find(corners.begin(), corners.end(), v) - corners.begin()));
+    type3_corners_[t] = static_cast<std::uint8_t>(type3_corners_[t] & ~bit);
+    if (!in_umbrella[k] && has_umbrella_[index(v)]) type2.push_back(t);
+    if (!in_umbrella[k] || one) continue;
+    type3_corners_[t] |= bit;
+    worst_first_.push(t);
+  }
+}
+
+/// The triangle of type 3 that ranks last; none if there is none.
+std::vector<TriangleIndex> CleanUp::worst_type3() {
+  while (!worst_first_.empty()) {
+    const TriangleIndex t = worst_first_.top();
+    worst_first_.pop();
+    if (fate_[t] == Fate::Alive && type3_corners_[t] != 0) return {t};
+  }
+  return {};
+}
+
+/// @return the corners of the doomed, each once
+std::vector<VertexId> CleanUp::delete_all(std::span<const TriangleIndex> doomed,
+                                          Fate fate) {
+  std::vector<VertexId> dirty;
+  for (const TriangleIndex t : doomed) {
+    fate_[t] = fate;
+    for (const VertexId v : triangles_[t].corners) {
+      if (is_dirty_[index(v)]) continue;
+      is_dirty_[index(v)] = true;
+      dirty.push_back(v);
+    }
+  }
+  return dirty;
+}
+
+/// Deletes closed pieces of at most `largest` triangles. By now pieces that
+/// share a vertex with an umbrella are one, so pieces are those of the vertices
+/// joined by triangles, and closed if each vertex has an umbrella.
+void CleanUp::dissolve_pieces(std::size_t largest) {
+  struct Piece {
+    std::size_t n_triangles = 0;
+    bool is_closed = true;
+  };
+  std::vector<std::uint32_t> parent(has_umbrella_.size());
+  std::iota(parent.begin(), parent.end(), 0U);
+  const auto piece_of = [&](VertexId v) {
+    auto i = static_cast<std::uint32_t>(v);
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+  };
+  for (TriangleIndex t = 0; t < triangles_.size(); ++t) {
+    if (fate_[t] != Fate::Alive) continue;
+    const auto& [a, b, c] = triangles_[t].corners;
+    parent[piece_of(b)] = piece_of(a);
+    parent[piece_of(c)] = piece_of(a);
+  }
+
+  std::vector<Piece> pieces(parent.size());
+  for (std::size_t i = 0; i < parent.size(); ++i)
+    if (!has_umbrella_[i])
+      pieces[piece_of(VertexId{static_cast<std::uint32_t>(i)})].is_closed =
+          false;
+  for (TriangleIndex t = 0; t < triangles_.size(); ++t)
+    if (fate_[t] == Fate::Alive)
+      ++pieces[piece_of(triangles_[t].corners[0])].n_triangles;
+  for (TriangleIndex t = 0; t < triangles_.size(); ++t) {
+    const Piece& piece = pieces[piece_of(triangles_[t].corners[0])];
+    if (fate_[t] != Fate::Alive || !piece.is_closed ||
+        piece.n_triangles > largest)
+      continue;
+    fate_[t] = Fate::Dissolved;
+    for (const VertexId v : triangles_[t].corners)
+      has_umbrella_[index(v)] = false;
+  }
+}
+
+CleanUpResult CleanUp::result() const {
+  CleanUpResult result;
+  for (TriangleIndex t = 0; t < triangles_.size(); ++t) {
+    const bool is_alive = fate_[t] == Fate::Alive;
+    (is_alive ? result.triangles : result.deleted).push_back(triangles_[t]);
+    result.n_type2 += fate_[t] == Fate::Type2 ? 1 : 0;
+    result.n_type3 += fate_[t] == Fate::Type3 ? 1 : 0;
+    result.n_dissolved += fate_[t] == Fate::Dissolved ? 1 : 0;
+  }
+  for (std::size_t v = 0; v < has_umbrella_.size(); ++v)
+    if (!has_umbrella_[v])
+      result.without_umbrella.push_back(
+          VertexId{static_cast<std::uint32_t>(v)});
+  return result;
+}
+
+}  // namespace
+
+CleanUpResult clean_up(std::size_t n_vertices,
+                       std::span<const RankedTriangle> triangles,
+                       const CleanUpOptions& options) {
+  CleanUp work(n_vertices, triangles);
+  work.delete_types_2_and_3();
+  work.dissolve_pieces(options.largest_dissolved);
+  return work.result();
+}
+
+}  // namespace umbrella

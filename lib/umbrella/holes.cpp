@@ -1,0 +1,95 @@
+#include "umbrella/holes.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+
+#include "umbrella/incidence_internal.h"
+
+namespace umbrella {
+namespace {
+
+using Edge = std::array<VertexId, 2>;
+
+constexpr std::uint32_t kNoHole = std::numeric_limits<std::uint32_t>::max();
+
+/// Edges between marked vertices at which exactly one triangle is left.
+std::vector<Edge> open_edges(std::span<const RankedTriangle> triangles,
+                             const std::vector<bool>& is_marked) {
+  std::vector<Edge> edges;
+  for (const RankedTriangle& t : triangles) {
+    const auto& [a, b, c] = t.corners;
+    for (const Edge& e : {Edge{a, b}, Edge{a, c}, Edge{b, c}})
+      if (is_marked[index(e[0])] && is_marked[index(e[1])]) edges.push_back(e);
+  }
+  std::sort(edges.begin(), edges.end());
+  std::vector<Edge> open;
+  for (auto first = edges.begin(); first != edges.end();) {
+    const auto last = std::upper_bound(first, edges.end(), *first);
+    if (last - first == 1) open.push_back(*first);
+    first = last;
+  }
+  return open;
+}
+
+/// For each of the vertices the smallest one it is joined to by the edges.
+std::vector<VertexId> components(std::size_t n_vertices,
+                                 std::span<const Edge> edges) {
+  std::vector<VertexId> parent(n_vertices);
+  for (std::size_t v = 0; v < n_vertices; ++v)
+    parent[v] = VertexId{static_cast<std::uint32_t>(v)};
+  const auto root = [&](VertexId v) {
+    while (parent[index(v)] != v)
+      v = parent[index(v)] = parent[index(parent[index(v)])];
+    return v;
+  };
+  for (const Edge& e : edges) {
+    const VertexId a = root(e[0]), b = root(e[1]);
+    parent[index(std::max(a, b))] = std::min(a, b);
+  }
+  for (std::size_t v = 0; v < n_vertices; ++v)
+    parent[v] = root(VertexId{static_cast<std::uint32_t>(v)});
+  return parent;
+}
+
+void sort_unique(std::vector<VertexId>& vertices) {
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+}
+
+}  // namespace
+
+std::vector<Hole> find_holes(std::size_t n_vertices,
+                             std::span<const RankedTriangle> triangles,
+                             std::span<const RankedTriangle> deleted,
+                             std::span<const VertexId> without_umbrella) {
+  std::vector<bool> is_bare(n_vertices);
+  for (const VertexId v : without_umbrella) is_bare[index(v)] = true;
+  const auto first_of_core =
+      components(n_vertices, open_edges(triangles, is_bare));
+
+  std::vector<Hole> holes;
+  std::vector<std::uint32_t> hole_of_vertex(n_vertices, kNoHole);
+  for (const VertexId v : without_umbrella) {
+    const VertexId first = first_of_core[index(v)];
+    if (first == v) {
+      hole_of_vertex[index(v)] = static_cast<std::uint32_t>(holes.size());
+      holes.emplace_back();
+    }
+    hole_of_vertex[index(v)] = hole_of_vertex[index(first)];
+    holes[hole_of_vertex[index(v)]].core.push_back(v);
+  }
+
+  for (Hole& hole : holes) hole.vertices = hole.core;
+  for (const RankedTriangle& t : deleted)
+    for (const VertexId v : t.corners)
+      if (const auto h = hole_of_vertex[index(v)]; h != kNoHole)
+        holes[h].vertices.insert(holes[h].vertices.end(), t.corners.begin(),
+                                 t.corners.end());
+  for (Hole& hole : holes) sort_unique(hole.vertices);
+  return holes;
+}
+
+}  // namespace umbrella
