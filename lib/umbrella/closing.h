@@ -1,0 +1,68 @@
+/// @file
+/// Closing the holes by a 0/1 program over the Delaunay triangles of each
+/// region [Adamy02, Sec. 3.2].
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "delaunay/triangulation3.h"
+#include "umbrella/holes.h"
+#include "umbrella/triangle.h"
+
+namespace umbrella {
+
+enum class CloseMode {
+  Best,  ///< worst triangles switched off first; cuts, growing, dropping
+  Paper  ///< any solution of the inequalities as printed; no growing
+};
+
+/// What makes a triangle the worse in CloseMode::Best: the larger, the worse.
+enum class CloseWeight { Circumradius, LambdaLower, Area };
+
+struct ClosingOptions {
+  CloseMode mode = CloseMode::Best;
+  CloseWeight weight = CloseWeight::Circumradius;
+  /// Conflicts of one search; the same on every run.
+  std::uint64_t conflicts = 200'000;
+  /// Wall clock for all regions together; a limit that is hit makes the
+  /// result depend on the machine.
+  double seconds = std::numeric_limits<double>::infinity();
+  /// Closed pieces of at most max(piece_triangles, piece_part * 2 n) triangles
+  /// are cut off as long as some other solution exists.
+  std::size_t piece_triangles = 12;
+  double piece_part = 0.02;
+  /// Whether points may be left out where nothing else helps.
+  bool drop_points = true;
+};
+
+struct ClosingReport {
+  std::size_t regions = 0;
+  std::size_t largest_region_vertices = 0;
+  std::size_t candidate_triangles = 0;
+  std::size_t variables = 0;
+  std::size_t feasible = 0;    ///< regions closed
+  std::size_t infeasible = 0;  ///< regions proven to have no solution as given
+  std::size_t undecided = 0;   ///< regions given up at a limit
+  std::size_t grown = 0;       ///< regions closed after growing
+  std::uint64_t conflicts = 0;
+};
+
+struct ClosingResult {
+  std::vector<Triangle> triangles;  ///< the surface, ascending
+  std::vector<VertexId> dropped;    ///< left out to close, ascending
+  ClosingReport report;
+};
+
+/// @param triangulation  whose triangles `cleaned` are
+/// @param cleaned  what the clean-up has left
+/// @param holes  of `cleaned`; none may be missing
+ClosingResult close_holes(const delaunay::Triangulation3& triangulation,
+                          std::span<const RankedTriangle> cleaned,
+                          std::span<const Hole> holes,
+                          const ClosingOptions& options = {});
+
+}  // namespace umbrella

@@ -1,0 +1,86 @@
+/// @file
+/// The whole way in one call: points in, a closed oriented surface out.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "umbrella/certificate.h"
+#include "umbrella/clean_up.h"
+#include "umbrella/closing.h"
+#include "umbrella/triangle.h"
+
+namespace umbrella {
+
+/// What to stop after.
+enum class Stage { Filter, Clean, Closed };
+
+struct ReconstructOptions {
+  Stage stage = Stage::Closed;
+  /// One of criterion_names().
+  std::string_view criterion = "paper";
+  CleanUpOptions clean_up;
+  ClosingOptions closing;
+  /// Called at the start of each stage with its name as in `seconds`.
+  std::function<void(std::string_view)> progress;
+};
+
+/// The counts of the report, under its names.
+struct ReconstructCounts {
+  std::size_t points = 0;      ///< rows
+  std::size_t duplicates = 0;  ///< rows that repeat an earlier one
+  std::size_t delaunay_cells = 0;
+  std::size_t delaunay_triangles = 0;
+  std::size_t admissible_triangles = 0;  ///< Gabriel, by the paper's criterion
+  std::size_t filter_triangles = 0;
+  std::size_t filter_without_umbrella = 0;
+  std::size_t deleted_type2 = 0;
+  std::size_t deleted_type3 = 0;
+  std::size_t dissolved = 0;
+  std::size_t clean_triangles = 0;
+  std::size_t clean_without_umbrella = 0;
+  std::size_t holes = 0;
+  std::size_t largest_hole_vertices = 0;
+};
+
+/// Wall clock of each stage.
+struct ReconstructSeconds {
+  double delaunay = 0;
+  double lambda = 0;
+  double filter = 0;
+  double clean_up = 0;
+  double holes = 0;
+  double closing = 0;
+};
+
+struct Reconstruction {
+  int dimension = -1;  ///< of the points: 3 if there is a triangulation
+  /// Rows of the input, duplicates as the first of them. Oriented outward if
+  /// the surface is closed and manifold. In an order that depends on the set
+  /// of points alone.
+  std::vector<IndexedTriangle> triangles;
+  /// Lower bound of each triangle's lambda-interval.
+  std::vector<double> lambda;
+  ReconstructCounts counts;
+  ClosingReport closing;
+  std::vector<std::uint32_t> dropped_rows;  ///< left out to close, ascending
+  std::vector<std::uint32_t> unused_rows;   ///< distinct points not used
+  SurfaceReport surface;
+  ReconstructSeconds seconds;
+};
+
+/// The criteria that can be asked for by name: "paper" first.
+std::span<const std::string_view> criterion_names();
+
+/// @param points  any unit; duplicates are merged
+/// @throws std::invalid_argument  a coordinate is not finite (names the row),
+///   or there is no such criterion
+Reconstruction reconstruct(std::span<const Point3> points,
+                           const ReconstructOptions& options = {});
+
+}  // namespace umbrella
