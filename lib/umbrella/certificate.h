@@ -35,7 +35,7 @@ struct SurfaceReport {
   bool oriented = false;    ///< is: neighbours run along an edge opposite ways
   bool outward = false;     ///< oriented, closed, each component's volume > 0
   double area = 0;
-  double volume = 0;               ///< signed; 0 unless closed and oriented
+  double volume = 0;  ///< signed; 0 unless closed and oriented
   std::vector<std::uint32_t> unused_vertices;  ///< rows, ascending
 };
 

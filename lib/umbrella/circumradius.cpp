@@ -37,7 +37,55 @@ double squared_radius(const RadiusFraction<BigInteger>& fraction, int exponent,
                           2 * (exponent + std::ilogb(scale)) + kQuarter);
 }
 
+// Proofs in docs/math.md, "Circumspheres": a squared radius is off by less than
+// a 2^-31 part if the squared area or volume is at least this part of what the
+// edges at one corner allow, and no square is below kTiny, where underflow
+// could spoil it.
+constexpr double kFat = 0x1p-34;
+constexpr double kTiny = 0x1p-200;
+
 }  // namespace
+
+double power_of_two_scale(std::span<const Point3> points) {
+  double largest = 0;
+  for (const Point3& p : points)
+    largest = std::max(largest, p.cwiseAbs().maxCoeff());
+  if (largest == 0) return 1;
+  return std::ldexp(1, std::clamp(-std::ilogb(largest), -1022, 1022));
+}
+
+double squared_circumradius(const std::array<Point3, 3>& abc, double scale) {
+  const auto u = scaled_difference(abc[1], abc[0], scale);
+  const auto v = scaled_difference(abc[2], abc[0], scale);
+  const auto r = circle_radius(u, v);
+  const double uu = dot(u, u), vv = dot(v, v);
+  const bool fat =
+      std::min(uu, vv) >= kTiny && r.denominator >= kFat * (uu * vv);
+  return fat ? r.numerator / (4 * r.denominator)
+             : exact_squared_circumradius(abc, scale);
+}
+
+double squared_circumradius(const std::array<Point3, 4>& abcd, double scale) {
+  const auto u = scaled_difference(abcd[1], abcd[0], scale);
+  const auto v = scaled_difference(abcd[2], abcd[0], scale);
+  const auto w = scaled_difference(abcd[3], abcd[0], scale);
+  return squared_circumradius(sphere(u, v, w),
+                              {dot(u, u), dot(v, v), dot(w, w)},
+                              {&abcd[0], &abcd[1], &abcd[2], &abcd[3]}, scale);
+}
+
+double squared_circumradius(const Sphere<double>& s,
+                            const std::array<double, 3>& squared_lengths,
+                            const std::array<const Point3*, 4>& corners,
+                            double scale) {
+  const auto [uu, vv, ww] = squared_lengths;
+  const auto r = sphere_radius(s);
+  const bool fat =
+      std::min({uu, vv, ww}) >= kTiny && r.denominator >= kFat * (uu * vv * ww);
+  return fat ? r.numerator / (4 * r.denominator)
+             : exact_squared_circumradius(
+                   {*corners[0], *corners[1], *corners[2], *corners[3]}, scale);
+}
 
 double exact_squared_circumradius(const std::array<Point3, 3>& abc,
                                   double scale) {

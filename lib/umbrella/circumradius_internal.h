@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 
 #include "delaunay/triangulation3.h"
 
@@ -62,6 +63,31 @@ template <class T>
 RadiusFraction<T> sphere_radius(const Sphere<T>& s) {
   return {dot(s.center, s.center), s.volume * s.volume};
 }
+
+/// A power of two that brings the largest coordinate to about 1, so that no
+/// product of scaled coordinates overflows.
+double power_of_two_scale(std::span<const delaunay::Point3> points);
+
+inline Vector<double> scaled_difference(const delaunay::Point3& p,
+                                        const delaunay::Point3& q,
+                                        double scale) {
+  return {scale * p[0] - scale * q[0], scale * p[1] - scale * q[1],
+          scale * p[2] - scale * q[2]};
+}
+
+/// Square of the circumradius in units of 1 / scale, off by less than a 2^-31
+/// part. The order of the corners may change the last bits.
+///
+/// @param scale  power_of_two_scale() of these and perhaps more points
+double squared_circumradius(const std::array<delaunay::Point3, 3>& abc,
+                            double scale);
+double squared_circumradius(const std::array<delaunay::Point3, 4>& abcd,
+                            double scale);
+/// From a sphere already computed.
+/// @param corners  the four points, asked for where doubles do not suffice
+double squared_circumradius(
+    const Sphere<double>& s, const std::array<double, 3>& squared_lengths,
+    const std::array<const delaunay::Point3*, 4>& corners, double scale);
 
 /// Each is the double nearest to the exact value for the given coordinates,
 /// which may be any finite doubles; equal values give equal doubles.

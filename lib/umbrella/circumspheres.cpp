@@ -24,46 +24,36 @@ using delaunay::VertexId;
 
 // Proofs in docs/math.md, "Circumspheres": with M^2 the largest of |u|^2,
 // |v|^2, |w|^2, each barycentric coordinate (times 2 volume^2) is off by less
-// than kSideError M^6, and the squared radius by less than a 2^-31 part if
-// volume^2 >= kFat |u|^2 |v|^2 |w|^2. Below kTiny underflow could spoil both.
+// than kSideError M^6, if M^2 is at least kTiny: below, underflow could spoil
+// it.
 constexpr double kSideError = 0x1p-43;
-constexpr double kFat = 0x1p-34;
 constexpr double kTiny = 0x1p-200;
 
 struct CellGeometry {
-  double squared_radius;       // NaN where it is not certain
+  double squared_radius;
   std::array<double, 4> side;  // 2 volume^2 times barycentric coordinates
   double side_error;           // infinite where nothing is certain
 };
 
-Vector<double> difference(const Point3& p, const Point3& q, double scale) {
-  return {scale * p[0] - scale * q[0], scale * p[1] - scale * q[1],
-          scale * p[2] - scale * q[2]};
-}
-
 /// @param v  corners in any fixed order
 CellGeometry measure(const std::array<const Point3*, 4>& v, double scale) {
-  const auto a = difference(*v[1], *v[0], scale);
-  const auto b = difference(*v[2], *v[0], scale);
-  const auto c = difference(*v[3], *v[0], scale);
+  const auto a = scaled_difference(*v[1], *v[0], scale);
+  const auto b = scaled_difference(*v[2], *v[0], scale);
+  const auto c = scaled_difference(*v[3], *v[0], scale);
   const Sphere<double> s = sphere(a, b, c);
   const double aa = dot(a, a), bb = dot(b, b), cc = dot(c, c);
 
-  const double volume2 = s.volume * s.volume;
   const double side1 = dot(s.center, s.normal_vw);
   const double side2 = dot(s.center, s.normal_wu);
   const double side3 = dot(s.center, s.normal_uv);
-  const double side0 = 2 * volume2 - (side1 + side2 + side3);
+  const double side0 = 2 * (s.volume * s.volume) - (side1 + side2 + side3);
 
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   const double longest = std::max({aa, bb, cc});
-  const bool tiny = std::min({aa, bb, cc}) < kTiny;
-  const bool fat = !tiny && volume2 >= kFat * (aa * bb * cc);
-  const auto radius = sphere_radius(s);
-  return {fat ? radius.numerator / (4 * radius.denominator) : kUnknown,
-          {side0, side1, side2, side3},
-          tiny ? kInfinity : kSideError * (longest * longest * longest)};
+  return {
+      squared_circumradius(s, {aa, bb, cc}, v, scale),
+      {side0, side1, side2, side3},
+      longest < kTiny ? kInfinity : kSideError * (longest * longest * longest)};
 }
 
 /// The corners of a cell, ascending.
@@ -77,19 +67,30 @@ std::array<VertexId, 4> sorted(std::array<VertexId, 4> v) {
   return v;
 }
 
-double power_of_two_scale(const Triangulation3& triangulation) {
-  double largest = 0;
-  for (const Point3& p : triangulation.points())
-    largest = std::max(largest, p.cwiseAbs().maxCoeff());
-  if (largest == 0) return 1;
-  return std::ldexp(1, std::clamp(-std::ilogb(largest), -1022, 1022));
-}
-
 bool apex_outside(const Triangulation3& t, const Cell& cell, unsigned facet) {
   const auto& corners = kFacetCorners[facet];
   const auto at = [&](unsigned i) { return t.point(cell.vertex[i]).data(); };
   return predicates::gabriel_triangle(at(corners[0]), at(corners[1]),
                                       at(corners[2]), at(facet)) >= 0;
+}
+
+/// Bit i: whether the corner opposite facet i lies outside its diametral ball.
+/// @param sorted  the corners of the cell in the order of `geometry`
+unsigned apexes_outside(const Triangulation3& t, const Cell& cell,
+                        const std::array<VertexId, 4>& sorted,
+                        const CellGeometry& geometry) {
+  unsigned bits = 0;
+  for (unsigned facet = 0; facet < 4; ++facet) {
+    unsigned position = 0;
+    for (const VertexId v : sorted)
+      position += v < cell.vertex[facet] ? 1U : 0U;
+    const double side = geometry.side[position];
+    const bool outside = std::abs(side) > geometry.side_error
+                             ? side > 0
+                             : apex_outside(t, cell, facet);
+    bits |= (outside ? 1U : 0U) << facet;
+  }
+  return bits;
 }
 
 }  // namespace
@@ -98,7 +99,7 @@ Circumspheres::Circumspheres(const Triangulation3& triangulation)
     : squared_radius_(triangulation.cells().size(),
                       std::numeric_limits<double>::infinity()),
       apex_outside_(triangulation.cells().size(), 0b1111),
-      scale_(power_of_two_scale(triangulation)) {
+      scale_(power_of_two_scale(triangulation.points())) {
   for (std::size_t i = 0; i < triangulation.n_finite_cells(); ++i) {
     const Cell& cell = triangulation.cells()[i];
     const auto vertex = sorted(cell.vertex);
@@ -106,24 +107,9 @@ Circumspheres::Circumspheres(const Triangulation3& triangulation)
     for (unsigned k = 0; k < 4; ++k)
       corner[k] = &triangulation.point(vertex[k]);
     const CellGeometry geometry = measure(corner, scale_);
-
-    squared_radius_[i] =
-        std::isnan(geometry.squared_radius)
-            ? exact_squared_circumradius(
-                  {*corner[0], *corner[1], *corner[2], *corner[3]}, scale_)
-            : geometry.squared_radius;
-    unsigned outside = 0;
-    for (unsigned facet = 0; facet < 4; ++facet) {
-      unsigned position = 0;
-      for (const VertexId v : vertex)
-        position += v < cell.vertex[facet] ? 1U : 0U;
-      const double side = geometry.side[position];
-      const bool is_outside = std::abs(side) > geometry.side_error
-                                  ? side > 0
-                                  : apex_outside(triangulation, cell, facet);
-      outside |= (is_outside ? 1U : 0U) << facet;
-    }
-    apex_outside_[i] = static_cast<std::uint8_t>(outside);
+    squared_radius_[i] = geometry.squared_radius;
+    apex_outside_[i] = static_cast<std::uint8_t>(
+        apexes_outside(triangulation, cell, vertex, geometry));
   }
 }
 

@@ -13,12 +13,6 @@ using delaunay::Cell;
 using delaunay::kFacetCorners;
 using delaunay::Triangulation3;
 
-// With n^2 >= kFat |u|^2 |v|^2 the squared radius of a triangle is off by less
-// than a 2^-31 part; below kTiny underflow could spoil it. Proofs in
-// docs/math.md, "Circumspheres".
-constexpr double kFat = 0x1p-34;
-constexpr double kTiny = 0x1p-200;
-
 }  // namespace
 
 DelaunayTriangle::DelaunayTriangle(const Triangulation3& triangulation,
@@ -62,20 +56,7 @@ double DelaunayTriangle::squared_lambda_lower() const {
 }
 
 double DelaunayTriangle::squared_circumradius() const {
-  const double scale = spheres_->scale();
-  const auto difference = [&](VertexId p, VertexId q) {
-    const Point3 &a = triangulation_->point(p), &b = triangulation_->point(q);
-    return Vector<double>{scale * a[0] - scale * b[0],
-                          scale * a[1] - scale * b[1],
-                          scale * a[2] - scale * b[2]};
-  };
-  const auto u = difference(corners_[1], corners_[0]);
-  const auto v = difference(corners_[2], corners_[0]);
-  const auto r = circle_radius(u, v);
-  const double uu = dot(u, u), vv = dot(v, v);
-  const bool fat =
-      std::min(uu, vv) >= kTiny && r.denominator >= kFat * (uu * vv);
-  return fat ? r.numerator / (4 * r.denominator) : exact_squared_circumradius();
+  return umbrella::squared_circumradius(points(), spheres_->scale());
 }
 
 double DelaunayTriangle::exact_squared_lambda_lower() const {
