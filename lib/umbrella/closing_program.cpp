@@ -1,0 +1,156 @@
+#include <algorithm>
+
+#include "umbrella/closing_program_internal.h"
+
+namespace umbrella {
+namespace {
+
+void sort_unique(std::vector<VertexId>& vertices) {
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+}
+
+bool contains(std::span<const VertexId> ascending, VertexId v) {
+  return std::binary_search(ascending.begin(), ascending.end(), v);
+}
+
+}  // namespace
+
+ClosingProgram::ClosingProgram(
+    const WorkingSurface& surface,
+    std::span<const Neighborhoods::Candidate> candidates,
+    std::span<const VertexId> vertices, std::span<const VertexId> may_drop)
+    : n_candidates_(candidates.size()),
+      vertices_(vertices.begin(), vertices.end()) {
+  for (const auto& c : candidates)
+    vertices_.insert(vertices_.end(), c.corners.begin(), c.corners.end());
+  sort_unique(vertices_);
+  add_members(surface, candidates);
+  add_pairs();
+  add_rings(may_drop);
+}
+
+void ClosingProgram::add_members(
+    const WorkingSurface& surface,
+    std::span<const Neighborhoods::Candidate> candidates) {
+  problem_.add_variables(candidates.size());
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+    members_.push_back(
+        {candidates[i].corners, ilp::VarId{static_cast<std::uint32_t>(i)}});
+
+  std::vector<TriangleIndex> at_vertices;
+  for (const VertexId v : vertices_)
+    surface.for_each_at(v, [&](TriangleIndex t) { at_vertices.push_back(t); });
+  std::sort(at_vertices.begin(), at_vertices.end());
+  at_vertices.erase(std::unique(at_vertices.begin(), at_vertices.end()),
+                    at_vertices.end());
+  for (const TriangleIndex t : at_vertices) {
+    const Triangle& corners = surface.corners(t);
+    const auto found = std::lower_bound(
+        candidates.begin(), candidates.end(), corners,
+        [](const Neighborhoods::Candidate& c, const Triangle& wanted) {
+          return c.corners < wanted;
+        });
+    if (found != candidates.end() && found->corners == corners) {
+      freed_.push_back(t);
+      continue;
+    }
+    fixed_.push_back(t);
+    members_.push_back({corners, problem_.add_variable()});
+    problem_.fix(members_.back().var, true);
+  }
+}
+
+/// A pair for each edge with an end among the program's vertices.
+void ClosingProgram::add_pairs() {
+  struct Side {
+    Edge edge;
+    ilp::VarId var;
+  };
+  std::vector<Side> sides;
+  for (const auto& [corners, var] : members_) {
+    const auto& [a, b, c] = corners;
+    for (const Edge& e : {Edge{a, b}, Edge{a, c}, Edge{b, c}})
+      if (contains(vertices_, e[0]) || contains(vertices_, e[1]))
+        sides.push_back({e, var});
+  }
+  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+    return a.edge != b.edge ? a.edge < b.edge : a.var < b.var;
+  });
+  std::vector<ilp::VarId> pair;
+  for (std::size_t i = 0; i < sides.size();) {
+    const Edge edge = sides[i].edge;
+    pair.clear();
+    for (; i < sides.size() && sides[i].edge == edge; ++i)
+      pair.push_back(sides[i].var);
+    problem_.add_pair(pair);
+    edge_of_pair_.push_back(edge);
+  }
+}
+
+void ClosingProgram::add_rings(std::span<const VertexId> may_drop) {
+  struct AtVertex {
+    VertexId vertex;
+    Member member;
+  };
+  std::vector<AtVertex> corners;
+  for (const Member& member : members_)
+    for (const VertexId v : member.corners)
+      if (contains(vertices_, v)) corners.push_back({v, member});
+  std::stable_sort(
+      corners.begin(), corners.end(),
+      [](const AtVertex& a, const AtVertex& b) { return a.vertex < b.vertex; });
+  std::vector<Member> at_v;
+  std::size_t i = 0;
+  for (const VertexId v : vertices_) {
+    at_v.clear();
+    for (; i < corners.size() && corners[i].vertex == v; ++i)
+      at_v.push_back(corners[i].member);
+    add_ring(v, at_v, contains(may_drop, v));
+  }
+}
+
+void ClosingProgram::add_ring(VertexId v, std::span<const Member> members,
+                              bool may_drop) {
+  std::vector<VertexId> ends;
+  for (const Member& m : members)
+    for (const VertexId end : opposite_edge(m.corners, v)) ends.push_back(end);
+  sort_unique(ends);
+  const auto node = [&](VertexId end) {
+    return static_cast<std::uint32_t>(
+        std::lower_bound(ends.begin(), ends.end(), end) - ends.begin());
+  };
+  std::vector<ilp::Spoke> spokes;
+  bool has_fixed = false;
+  for (const Member& m : members) {
+    const auto [a, b] = opposite_edge(m.corners, v);
+    spokes.push_back({m.var, node(a), node(b)});
+    has_fixed = has_fixed || index(m.var) >= n_candidates_;
+  }
+  const bool optional = may_drop && !has_fixed;
+  problem_.add_ring(spokes, optional);
+  vertex_of_ring_.push_back(v);
+  if (!optional) return;
+
+  // is_dropped, or some triangle at v.
+  const ilp::VarId is_dropped = problem_.add_variable();
+  std::vector<ilp::Literal> clause = {ilp::Literal(is_dropped, true)};
+  for (const Member& m : members) clause.emplace_back(m.var, true);
+  problem_.add_clause(clause);
+  droppable_.push_back({v, is_dropped});
+}
+
+std::vector<VertexId> ClosingProgram::vertices_of(const ilp::Core& core) const {
+  std::vector<VertexId> result;
+  for (const auto& [kind, i] : core.constraints) {
+    if (kind == ilp::ConstraintKind::Ring)
+      result.push_back(vertex_of_ring_[i]);
+    else if (kind == ilp::ConstraintKind::Pair)
+      result.insert(result.end(), edge_of_pair_[i].begin(),
+                    edge_of_pair_[i].end());
+  }
+  sort_unique(result);
+  return result;
+}
+
+}  // namespace umbrella

@@ -1,0 +1,75 @@
+/// @file
+/// The inequalities of [Adamy02, Def. 3.3] for one region.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "ilp/problem.h"
+#include "ilp/solver.h"
+#include "umbrella/region_internal.h"
+#include "umbrella/working_surface_internal.h"
+
+namespace umbrella {
+
+/// A program over the candidates of a region: candidate i is variable i. The
+/// other triangles of the surface at the program's vertices take part as
+/// variables fixed to true; those of the surface that are candidates are free.
+class ClosingProgram {
+ public:
+  /// @param candidates  distinct, ascending
+  /// @param vertices  those of the region, covered or not
+  /// @param may_drop  vertices that may stay without triangles if no fixed
+  ///   triangle is there; ascending
+  ClosingProgram(const WorkingSurface& surface,
+                 std::span<const Neighborhoods::Candidate> candidates,
+                 std::span<const VertexId> vertices,
+                 std::span<const VertexId> may_drop);
+
+  const ilp::Problem& problem() const { return problem_; }
+  std::size_t n_candidates() const { return n_candidates_; }
+  /// Corners of candidates and the region's vertices; ascending.
+  std::span<const VertexId> vertices() const { return vertices_; }
+  /// Triangles of the surface that are candidates.
+  std::span<const TriangleIndex> freed() const { return freed_; }
+  /// Triangles of the surface that are not, but stand at a vertex of the
+  /// program.
+  std::span<const TriangleIndex> fixed() const { return fixed_; }
+
+  /// Vertices that may stay bare, and for each the variable that says so.
+  struct Droppable {
+    VertexId vertex;
+    ilp::VarId is_dropped;
+  };
+  std::span<const Droppable> droppable() const { return droppable_; }
+
+  /// The vertices of the pairs and rings of a core, ascending. Clauses that
+  /// were added later are left out.
+  std::vector<VertexId> vertices_of(const ilp::Core& core) const;
+
+ private:
+  struct Member {
+    Triangle corners;
+    ilp::VarId var;
+  };
+  using Edge = std::array<VertexId, 2>;
+
+  void add_members(const WorkingSurface& surface,
+                   std::span<const Neighborhoods::Candidate> candidates);
+  void add_pairs();
+  void add_rings(std::span<const VertexId> may_drop);
+  void add_ring(VertexId v, std::span<const Member> members, bool may_drop);
+
+  ilp::Problem problem_;
+  std::size_t n_candidates_;
+  std::vector<VertexId> vertices_;
+  std::vector<Member> members_;  // candidates, then fixed triangles
+  std::vector<TriangleIndex> freed_, fixed_;
+  std::vector<Edge> edge_of_pair_;
+  std::vector<VertexId> vertex_of_ring_;
+  std::vector<Droppable> droppable_;
+};
+
+}  // namespace umbrella

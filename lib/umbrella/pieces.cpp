@@ -1,0 +1,80 @@
+#include <algorithm>
+
+#include "umbrella/pieces_internal.h"
+
+namespace umbrella {
+
+std::vector<Piece> PieceFinder::find(const Change& change,
+                                     const std::vector<bool>& is_open) {
+  const auto& [freed, chosen, vertices] = change;
+  is_freed_.resize(surface_.n_indices());
+  for (const TriangleIndex t : freed) is_freed_[t] = true;
+  corners_.clear();
+  for (std::uint32_t t = 0; t < chosen.size(); ++t)
+    for (const VertexId v : chosen[t]) corners_.push_back({v, t});
+  std::sort(corners_.begin(), corners_.end(),
+            [](const Corner& a, const Corner& b) {
+              return a.vertex != b.vertex ? a.vertex < b.vertex
+                                          : a.triangle < b.triangle;
+            });
+
+  std::vector<Piece> pieces;
+  n_pieces_ = 1;
+  for (const Triangle& t : chosen) {
+    if (piece_of_[index(t[0])] != 0) continue;
+    Piece piece;
+    if (explore(t[0], change, is_open, piece)) pieces.push_back(piece);
+  }
+  for (const VertexId v : reached_) piece_of_[index(v)] = 0;
+  reached_.clear();
+  for (const TriangleIndex t : freed) is_freed_[t] = false;
+  return pieces;
+}
+
+/// Walks over all triangles that hang together with `start`; stops as soon as
+/// they are too many, or are known to be. @return whether the piece is small
+bool PieceFinder::explore(VertexId start, const Change& change,
+                          const std::vector<bool>& is_open, Piece& piece) {
+  const std::uint32_t name = ++n_pieces_;
+  const std::size_t first = reached_.size();
+  bool is_large = false;
+  const auto waits = [&](VertexId v) {
+    return is_open[index(v)] && !std::binary_search(change.vertices.begin(),
+                                                    change.vertices.end(), v);
+  };
+  const auto enter = [&](VertexId v) {
+    std::uint32_t& known = piece_of_[index(v)];
+    is_large = is_large || known == 1 || waits(v);
+    if (known != 0) return;
+    known = name;
+    reached_.push_back(v);
+  };
+  // Each triangle is met at its three corners, and counted at the first.
+  const auto meet = [&](const Triangle& t, VertexId v) {
+    for (const VertexId corner : t) enter(corner);
+    if (t[0] == v) ++piece.n_triangles;
+  };
+  enter(start);
+  for (std::size_t i = first; i < reached_.size() && !is_large; ++i) {
+    const VertexId v = reached_[i];
+    surface_.for_each_at(v, [&](TriangleIndex t) {
+      if (!is_freed_[t]) meet(surface_.corners(t), v);
+    });
+    auto at = std::lower_bound(
+        corners_.begin(), corners_.end(), v,
+        [](const Corner& c, VertexId wanted) { return c.vertex < wanted; });
+    if (at != corners_.end() && at->vertex == v) piece.vertices.push_back(v);
+    for (; at != corners_.end() && at->vertex == v; ++at)
+      meet(change.chosen[at->triangle], v);
+    is_large = is_large || piece.n_triangles > limit_;
+  }
+  if (is_large) {
+    for (std::size_t i = first; i < reached_.size(); ++i)
+      piece_of_[index(reached_[i])] = 1;
+    return false;
+  }
+  std::sort(piece.vertices.begin(), piece.vertices.end());
+  return true;
+}
+
+}  // namespace umbrella

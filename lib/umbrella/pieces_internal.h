@@ -1,0 +1,62 @@
+/// @file
+/// Pieces of surface that close upon themselves too early.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "umbrella/working_surface_internal.h"
+
+namespace umbrella {
+
+/// A set of triangles that share no vertex with any other.
+struct Piece {
+  std::size_t n_triangles = 0;
+  /// Corners of its triangles from the program at hand; ascending.
+  std::vector<VertexId> vertices;
+};
+
+/// What a program would do to a surface.
+struct Change {
+  std::span<const TriangleIndex> freed;  ///< would go
+  std::span<const Triangle> chosen;      ///< would come
+  std::span<const VertexId> vertices;    ///< would be done with; ascending
+};
+
+/// Looks for small pieces about the triangles that a program has chosen.
+class PieceFinder {
+ public:
+  /// @param surface  must outlive this object; may change between calls
+  /// @param limit  pieces with more triangles are of no interest
+  PieceFinder(const WorkingSurface& surface, std::size_t limit)
+      : surface_(surface), limit_(limit), piece_of_(surface.n_vertices()) {}
+
+  /// The pieces of at most `limit` triangles with a chosen one, on the changed
+  /// surface; in the order of `chosen`.
+  ///
+  /// @param is_open  vertices that wait for triangles, perhaps from this
+  ///   change: a piece with one that still waits is not finished, and left out
+  std::vector<Piece> find(const Change& change,
+                          const std::vector<bool>& is_open);
+
+ private:
+  struct Corner {
+    VertexId vertex;
+    std::uint32_t triangle;  // position in `chosen`
+  };
+
+  bool explore(VertexId start, const Change& change,
+               const std::vector<bool>& is_open, Piece& piece);
+
+  const WorkingSurface& surface_;
+  std::size_t limit_;
+  std::vector<std::uint32_t> piece_of_;  // 0: not reached; 1: a large one
+  std::vector<VertexId> reached_;        // where piece_of_ is not 0
+  std::vector<Corner> corners_;          // of `chosen`, by vertex
+  std::vector<bool> is_freed_;
+  std::uint32_t n_pieces_ = 0;
+};
+
+}  // namespace umbrella

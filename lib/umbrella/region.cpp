@@ -1,0 +1,169 @@
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <limits>
+
+#include "umbrella/region_internal.h"
+
+namespace umbrella {
+namespace {
+
+using delaunay::Cell;
+using delaunay::CellId;
+using delaunay::Facet;
+using delaunay::kFacetCorners;
+
+constexpr std::uint8_t kInRegion = 1;
+constexpr std::uint8_t kStuck = 2;
+
+class DisjointSets {
+ public:
+  explicit DisjointSets(std::size_t n) : parent_(n) {
+    for (std::size_t i = 0; i < n; ++i) parent_[i] = i;
+  }
+  std::size_t root(std::size_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void unite(std::size_t a, std::size_t b) {
+    a = root(a);
+    b = root(b);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  std::vector<std::size_t> parent_;
+};
+
+}  // namespace
+
+std::vector<VertexId> united(std::span<const VertexId> a,
+                             std::span<const VertexId> b) {
+  std::vector<VertexId> result;
+  std::set_union(a.begin(), a.end(), b.begin(), b.end(),
+                 std::back_inserter(result));
+  return result;
+}
+
+std::vector<Region> merge_holes(std::span<const Hole> holes,
+                                const WorkingSurface& surface) {
+  constexpr auto kNone = std::numeric_limits<std::size_t>::max();
+  DisjointSets sets(holes.size());
+  std::vector<std::size_t> hole_of_vertex(surface.n_vertices(), kNone);
+  for (std::size_t h = 0; h < holes.size(); ++h)
+    for (const VertexId v : holes[h].vertices) {
+      std::size_t& known = hole_of_vertex[index(v)];
+      if (known == kNone)
+        known = h;
+      else
+        sets.unite(known, h);
+    }
+  for (TriangleIndex t = 0; t < surface.n_indices(); ++t) {
+    std::array<std::size_t, 3> hole;
+    for (unsigned i = 0; i < 3; ++i)
+      hole[i] = hole_of_vertex[index(surface.corners(t)[i])];
+    if (!surface.contains(t) || std::count(hole.begin(), hole.end(), kNone) > 0)
+      continue;
+    sets.unite(hole[0], hole[1]);
+    sets.unite(hole[0], hole[2]);
+  }
+
+  std::vector<Region> regions;
+  std::vector<std::size_t> region_of_set(holes.size(), kNone);
+  for (std::size_t v = 0; v < hole_of_vertex.size(); ++v) {
+    if (hole_of_vertex[v] == kNone) continue;
+    std::size_t& region = region_of_set[sets.root(hole_of_vertex[v])];
+    if (region == kNone) {
+      region = regions.size();
+      regions.emplace_back();
+    }
+    regions[region].vertices.push_back(VertexId{static_cast<std::uint32_t>(v)});
+  }
+  return regions;
+}
+
+Neighborhoods::Neighborhoods(const delaunay::Triangulation3& triangulation)
+    : triangulation_(triangulation),
+      cell_of_vertex_(triangulation.points().size()),
+      seen_(triangulation.cells().size()),
+      star_(triangulation.cells().size()),
+      mark_(triangulation.points().size()) {
+  for (std::size_t c = 0; c < triangulation.n_finite_cells(); ++c)
+    for (const VertexId v : triangulation.cells()[c].vertex)
+      cell_of_vertex_[index(v)] = CellId{static_cast<std::uint32_t>(c)};
+}
+
+void Neighborhoods::collect_cells(std::span<const VertexId> vertices) {
+  ++n_calls_;
+  cells_.clear();
+  for (const VertexId v : vertices) collect_star(v);
+}
+
+/// Adds the cells at v that are not yet there. The finite cells at v hang
+/// together by facets at v, but a neighbour may be there already as a cell of
+/// another vertex: so each star is walked with marks of its own.
+void Neighborhoods::collect_star(VertexId v) {
+  ++n_stars_;
+  const auto enter = [this](CellId c) {
+    star_[index(c)] = n_stars_;
+    stack_.push_back(c);
+    if (seen_[index(c)] == n_calls_) return;
+    seen_[index(c)] = n_calls_;
+    cells_.push_back(c);
+  };
+  enter(cell_of_vertex_[index(v)]);
+  while (!stack_.empty()) {
+    const Cell& cell = triangulation_.cell(stack_.back());
+    stack_.pop_back();
+    for (unsigned i = 0; i < 4; ++i) {
+      const CellId beyond = cell.neighbor[i].cell();
+      if (cell.vertex[i] != v && star_[index(beyond)] != n_stars_ &&
+          !triangulation_.cell(beyond).is_infinite())
+        enter(beyond);
+    }
+  }
+}
+
+std::vector<Neighborhoods::Candidate> Neighborhoods::candidates(
+    const Region& region) {
+  for (const VertexId v : region.vertices) mark_[index(v)] |= kInRegion;
+  for (const VertexId v : region.stuck) mark_[index(v)] |= kStuck;
+  collect_cells(united(region.vertices, region.stuck));
+
+  std::vector<Candidate> result;
+  for (const CellId c : cells_)
+    for (unsigned i = 0; i < 4; ++i) {
+      const Cell& cell = triangulation_.cell(c);
+      Triangle t;
+      unsigned inside = 0, stuck = 0;
+      for (unsigned k = 0; k < 3; ++k) {
+        t[k] = cell.vertex[kFacetCorners[i][k]];
+        inside += mark_[index(t[k])] & kInRegion;
+        stuck += (mark_[index(t[k])] & kStuck) != 0 ? 1 : 0;
+      }
+      if (inside < 3 && stuck < region.reach) continue;
+      // A candidate has a corner here, so both its cells were collected.
+      if (cell.neighbor[i].cell() < c) continue;
+      std::sort(t.begin(), t.end());
+      result.push_back({t, Facet(c, i)});
+    }
+  std::sort(result.begin(), result.end(),
+            [](const Candidate& a, const Candidate& b) {
+              return a.corners < b.corners;
+            });
+  for (const VertexId v : region.vertices) mark_[index(v)] = 0;
+  for (const VertexId v : region.stuck) mark_[index(v)] = 0;
+  return result;
+}
+
+std::vector<VertexId> Neighborhoods::ring(std::span<const VertexId> vertices) {
+  collect_cells(vertices);
+  std::vector<VertexId> result(vertices.begin(), vertices.end());
+  for (const CellId c : cells_)
+    for (const VertexId v : triangulation_.cell(c).vertex) result.push_back(v);
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
+
+}  // namespace umbrella

@@ -1,0 +1,177 @@
+#include <algorithm>
+#include <utility>
+
+#include "ilp/improve.h"
+#include "umbrella/region_solver_internal.h"
+
+namespace umbrella {
+namespace {
+
+std::size_t largest_piece(const ClosingOptions& options, std::size_t n) {
+  const double part = options.piece_part * 2 * static_cast<double>(n);
+  return std::max(options.piece_triangles, static_cast<std::size_t>(part));
+}
+
+bool is_among(const Piece& piece, std::span<const Piece> pieces) {
+  return std::any_of(pieces.begin(), pieces.end(), [&](const Piece& p) {
+    return p.vertices == piece.vertices;
+  });
+}
+
+}  // namespace
+
+struct RegionSolver::Work {
+  std::vector<Neighborhoods::Candidate> candidates;
+  ClosingProgram program;
+  ilp::Solver solver;
+  std::span<const Piece> allowed;
+  std::vector<ilp::VarId> worst_first;
+  ilp::Model model;
+  Attempt result;
+
+  Work(const WorkingSurface& surface, const Region& region,
+       std::vector<Neighborhoods::Candidate> found,
+       std::span<const VertexId> may_drop)
+      : candidates(std::move(found)),
+        program(surface, candidates, region.vertices, may_drop),
+        solver(program.problem()) {
+    result.n_candidates = candidates.size();
+    result.n_variables = program.problem().n_variables();
+    result.vertices.assign(program.vertices().begin(),
+                           program.vertices().end());
+    result.freed.assign(program.freed().begin(), program.freed().end());
+  }
+};
+
+RegionSolver::RegionSolver(const delaunay::Triangulation3& triangulation,
+                           const ClosingOptions& options,
+                           const WorkingSurface& surface,
+                           const std::vector<bool>& is_open)
+    : triangulation_(triangulation),
+      options_(options),
+      surface_(surface),
+      is_open_(is_open),
+      neighborhoods_(triangulation),
+      badness_(triangulation, options.weight),
+      piece_finder_(surface,
+                    largest_piece(options, triangulation.points().size())),
+      start_(std::chrono::steady_clock::now()) {}
+
+Attempt RegionSolver::attempt(const Region& region,
+                              std::span<const VertexId> may_drop,
+                              std::span<const Piece> allowed) {
+  Work work(surface_, region, neighborhoods_.candidates(region), may_drop);
+  work.allowed = allowed;
+  order_worst_first(work);
+  search(work);
+  conflicts_ += work.solver.statistics().conflicts;
+  return std::move(work.result);
+}
+
+std::vector<VertexId> RegionSolver::vertices(const Region& region) {
+  std::vector<VertexId> result = region.vertices;
+  for (const auto& c : neighborhoods_.candidates(region))
+    result.insert(result.end(), c.corners.begin(), c.corners.end());
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
+
+/// Leaving a point out is worse than any triangle.
+void RegionSolver::order_worst_first(Work& work) const {
+  const auto& candidates = work.candidates;
+  std::vector<double> badness(candidates.size());
+  std::vector<ilp::VarId> order(candidates.size());
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    badness[i] = badness_(candidates[i].corners, candidates[i].facet);
+    order[i] = ilp::VarId{static_cast<std::uint32_t>(i)};
+  }
+  std::sort(order.begin(), order.end(), [&](ilp::VarId a, ilp::VarId b) {
+    const double bad_a = badness[index(a)], bad_b = badness[index(b)];
+    return bad_a != bad_b ? bad_a > bad_b : a > b;
+  });
+  for (const auto& [vertex, is_dropped] : work.program.droppable())
+    work.worst_first.push_back(is_dropped);
+  work.worst_first.insert(work.worst_first.end(), order.begin(), order.end());
+}
+
+/// Solves and cuts off small closed pieces until there is none.
+void RegionSolver::search(Work& work) {
+  Attempt& result = work.result;
+  while (true) {
+    const ilp::Status status = solve(work);
+    if (status == ilp::Status::Limit) return;
+    if (status == ilp::Status::Infeasible) {
+      result.outcome =
+          result.pieces.empty() ? Outcome::Infeasible : Outcome::Banned;
+      result.stuck = work.program.vertices_of(work.solver.core());
+      for (const Piece& piece : result.pieces)
+        result.stuck = united(result.stuck, piece.vertices);
+      return;
+    }
+    if (read_model(work)) {
+      result.outcome = Outcome::Solved;
+      return;
+    }
+  }
+}
+
+ilp::Status RegionSolver::solve(Work& work) {
+  if (options_.mode == CloseMode::Paper) {
+    const ilp::Status status = work.solver.solve({}, limits());
+    work.model = work.solver.model();
+    return status;
+  }
+  ilp::Improvement best =
+      ilp::minimize_worst_first(work.solver, work.worst_first, limits());
+  work.model = std::move(best.model);
+  return best.status;
+}
+
+/// @return whether the model is good; otherwise cuts are added
+bool RegionSolver::read_model(Work& work) {
+  Attempt& result = work.result;
+  result.chosen.clear();
+  result.dropped.clear();
+  for (std::size_t i = 0; i < work.candidates.size(); ++i)
+    if (work.model[i]) result.chosen.push_back(work.candidates[i].corners);
+  for (const auto& [vertex, is_dropped] : work.program.droppable())
+    if (work.model[index(is_dropped)]) result.dropped.push_back(vertex);
+  if (options_.mode == CloseMode::Paper) return true;
+
+  bool is_good = true;
+  for (const Piece& piece : piece_finder_.find(
+           {result.freed, result.chosen, result.vertices}, is_open_)) {
+    if (is_among(piece, work.allowed)) continue;
+    is_good = false;
+    cut(work, piece);
+  }
+  return is_good;
+}
+
+/// Asks for a triangle that leads out of the piece.
+void RegionSolver::cut(Work& work, const Piece& piece) {
+  std::vector<ilp::Literal> clause;
+  for (std::uint32_t i = 0; i < work.candidates.size(); ++i) {
+    const auto& corners = work.candidates[i].corners;
+    const auto inside =
+        std::count_if(corners.begin(), corners.end(), [&](VertexId v) {
+          return std::binary_search(piece.vertices.begin(),
+                                    piece.vertices.end(), v);
+        });
+    if (inside == 1 || inside == 2) clause.emplace_back(ilp::VarId{i}, true);
+  }
+  work.solver.add_clause(clause);
+  work.result.pieces.push_back(piece);
+}
+
+ilp::Limits RegionSolver::limits() const {
+  const std::chrono::duration<double> spent =
+      std::chrono::steady_clock::now() - start_;
+  ilp::Limits limits;
+  limits.conflicts = options_.conflicts;
+  limits.seconds = std::max(0.0, options_.seconds - spent.count());
+  return limits;
+}
+
+}  // namespace umbrella

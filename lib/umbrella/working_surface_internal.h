@@ -1,0 +1,72 @@
+/// @file
+/// The triangles of the surface while holes are being closed.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "umbrella/incidence_internal.h"
+
+namespace umbrella {
+
+/// A set of triangles that can tell those at a vertex; triangles keep their
+/// index, and a removed one leaves it unused.
+class WorkingSurface {
+ public:
+  WorkingSurface(std::size_t n_vertices,
+                 std::span<const RankedTriangle> triangles)
+      : head_(n_vertices, kEnd) {
+    for (const RankedTriangle& t : triangles) add(t.corners);
+  }
+
+  std::size_t n_vertices() const { return head_.size(); }
+  /// Indices of triangles are below it.
+  std::size_t n_indices() const { return corners_.size(); }
+  const Triangle& corners(TriangleIndex t) const { return corners_[t]; }
+  bool contains(TriangleIndex t) const { return is_there_[t]; }
+
+  void add(const Triangle& corners) {
+    const auto t = static_cast<TriangleIndex>(corners_.size());
+    corners_.push_back(corners);
+    is_there_.push_back(true);
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      std::uint32_t& head = head_[index(corners[i])];
+      next_.push_back(head);
+      head = 3 * t + i;
+    }
+  }
+  void remove(TriangleIndex t) { is_there_[t] = false; }
+
+  /// Calls visit(TriangleIndex) for each triangle at v, in an order that
+  /// depends on the calls made so far.
+  template <class Visit>
+  void for_each_at(VertexId v, Visit visit) const {
+    for (std::uint32_t i = head_[index(v)]; i != kEnd; i = next_[i])
+      if (is_there_[i / 3]) visit(TriangleIndex{i / 3});
+  }
+
+  /// All triangles, ascending.
+  std::vector<Triangle> sorted() const {
+    std::vector<Triangle> result;
+    for (TriangleIndex t = 0; t < corners_.size(); ++t)
+      if (is_there_[t]) result.push_back(corners_[t]);
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+ private:
+  static constexpr std::uint32_t kEnd =
+      std::numeric_limits<std::uint32_t>::max();
+
+  std::vector<Triangle> corners_;
+  std::vector<bool> is_there_;
+  std::vector<std::uint32_t> head_;  // 3 t + i: corner i of triangle t
+  std::vector<std::uint32_t> next_;  // of 3 t + i
+};
+
+}  // namespace umbrella
