@@ -68,7 +68,8 @@ require() {
   [ ${#missing[@]} -gt 0 ] || return 0
   command -v apt-get >/dev/null ||
     die "missing, by their Debian names: ${missing[*]}; please install them"
-  local command="apt-get install --no-install-recommends ${missing[*]}"
+  local command="apt-get update && apt-get install --no-install-recommends"
+  command+=" ${missing[*]}"
   may_be_root || die "missing packages; as root, run: $command"
   say "installing ${missing[*]}"
   if ! { run_as_root apt-get --quiet=2 -o APT::Update::Error-Mode=any update &&
