@@ -21,6 +21,7 @@ readonly BUILD_PACKAGES=(
   'libfast-float-dev=fast_float/fast_float.h')
 readonly TEST_PACKAGES=(
   'libgtest-dev=gtest/gtest.h'
+  'libgmock-dev=gmock/gmock.h'
   'libbenchmark-dev=benchmark/benchmark.h'
   'libboost-dev=boost/version.hpp')
 readonly GATE_PACKAGES=(
@@ -67,12 +68,14 @@ require() {
   [ ${#missing[@]} -gt 0 ] || return 0
   command -v apt-get >/dev/null ||
     die "missing, by their Debian names: ${missing[*]}; please install them"
-  local command="apt-get install --no-install-recommends ${missing[*]}"
+  local command="apt-get update && apt-get install --no-install-recommends"
+  command+=" ${missing[*]}"
   may_be_root || die "missing packages; as root, run: $command"
   say "installing ${missing[*]}"
   if ! { run_as_root apt-get --quiet=2 -o APT::Update::Error-Mode=any update &&
-    run_as_root env DEBIAN_FRONTEND=noninteractive \
-      apt-get install --yes --quiet=2 --no-install-recommends "${missing[@]}"; }
+    run_as_root env DEBIAN_FRONTEND=noninteractive apt-get --quiet=2 --yes \
+      -o Dpkg::Use-Pty=0 install --no-install-recommends "${missing[@]}"; } \
+    >/dev/null
   then
     die "apt-get failed (is there a network?); as root, run: $command"
   fi
