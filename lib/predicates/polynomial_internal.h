@@ -65,13 +65,14 @@ constexpr auto cross_xy(const Vector<T>& u, const Vector<T>& v) {
 
 template <class S, class T>
 constexpr auto cross(const Vector3<S>& u, const Vector3<T>& v) {
-  using Product = decltype(u.x * v.x);
+  using Product = decltype(u.y * v.z - u.z * v.y);
   return Vector3<Product>{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z,
                           u.x * v.y - u.y * v.x};
 }
 
 /// det(b - a, c - a).
 struct Orient2d {
+  static constexpr int kDegree = 2;
   static constexpr std::size_t kDimension = 2, kPoints = 3, kOrigin = 0;
   static constexpr int kInt64Bits = 30, kInt128Bits = 30;
 
@@ -83,6 +84,7 @@ struct Orient2d {
 
 /// det(b - a, c - a, d - a).
 struct Orient3d {
+  static constexpr int kDegree = 3;
   static constexpr std::size_t kDimension = 3, kPoints = 4, kOrigin = 0;
   static constexpr int kInt64Bits = 20, kInt128Bits = 30;
 
@@ -97,6 +99,7 @@ struct Orient3d {
 
 /// det of the rows (q, |q|^2), q = a - d, b - d, c - d.
 struct Incircle {
+  static constexpr int kDegree = 4;
   static constexpr std::size_t kDimension = 2, kPoints = 4, kOrigin = 3;
   static constexpr int kInt64Bits = 14, kInt128Bits = 29;
 
@@ -112,6 +115,7 @@ struct Incircle {
 
 /// Minus the det of the rows (q, |q|^2), q = a - e, b - e, c - e, d - e.
 struct Insphere {
+  static constexpr int kDegree = 5;
   static constexpr std::size_t kDimension = 3, kPoints = 5, kOrigin = 4;
   static constexpr int kInt64Bits = 11, kInt128Bits = 24;
 
@@ -134,6 +138,7 @@ struct Insphere {
 
 /// (a - p).(b - p): the angle over the diameter ab is acute outside.
 struct GabrielEdge {
+  static constexpr int kDegree = 2;
   static constexpr std::size_t kDimension = 2, kPoints = 3, kOrigin = 2;
   static constexpr int kInt64Bits = 30, kInt128Bits = 30;
 
@@ -146,6 +151,7 @@ struct GabrielEdge {
 /// n.(|w|^2 n + m x w) for the triangle u, v and the point w relative to c,
 /// n = u x v, m = |u|^2 v - |v|^2 u; docs/math.md, "Diametral ball".
 struct GabrielTriangle {
+  static constexpr int kDegree = 6;
   static constexpr std::size_t kDimension = 3, kPoints = 4, kOrigin = 2;
   static constexpr int kInt64Bits = 9, kInt128Bits = 20;
 
@@ -156,11 +162,11 @@ struct GabrielTriangle {
     const auto w = vector3(minus, p[3], p[2]);
     const auto uu = dot(u, u), vv = dot(v, v), ww = dot(w, w);
     const auto n = cross(u, v);
-    using Cubic = decltype(uu * v.x);
+    using Cubic = decltype(uu * v.x - vv * u.x);
     const Vector3<Cubic> m = {uu * v.x - vv * u.x, uu * v.y - vv * u.y,
                               uu * v.z - vv * u.z};
     const auto q = cross(m, w);
-    using Quartic = decltype(ww * n.x);
+    using Quartic = decltype(ww * n.x + q.x);
     const Vector3<Quartic> r = {ww * n.x + q.x, ww * n.y + q.y, ww * n.z + q.z};
     return dot(n, r);
   }

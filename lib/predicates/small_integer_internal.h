@@ -100,7 +100,8 @@ bool LatticePoints<Predicate>::assign(const Points<Predicate::kPoints>& p) {
       std::countr_zero(static_cast<std::uint64_t>(differences)) % 64;
   for (auto& q : n)
     for (std::size_t i = 0; i < kDimension; ++i) q[i] >>= zeros;
-  bits = std::bit_width(static_cast<std::uint64_t>(magnitudes)) - zeros;
+  const auto width = std::bit_width(static_cast<std::uint64_t>(magnitudes));
+  bits = static_cast<int>(width) - zeros;
   return true;
 }
 
