@@ -39,8 +39,8 @@ struct Direction {
 
   Direction(const Point2& p, const Point2& q) {
     // Next to the largest double, for the differences must not overflow.
-    const double largest = std::max(p.lpNorm<Eigen::Infinity>(),
-                                    q.lpNorm<Eigen::Infinity>());
+    const double largest =
+        std::max(p.lpNorm<Eigen::Infinity>(), q.lpNorm<Eigen::Infinity>());
     const double unit = largest < 0x1p1022 ? 1 : 0.5;
     x = difference(unit * q.x(), unit * p.x());
     y = difference(unit * q.y(), unit * p.y());
