@@ -1,0 +1,72 @@
+// The umbrella command: finds the subcommand, and turns whatever goes wrong
+// into one line and an exit code.
+
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <iostream>
+#include <new>
+#include <stdexcept>
+#include <string>
+
+#include "apps/command.h"
+#include "build_info.h"
+#include "io/error.h"
+
+namespace {
+
+using command::ExitCode;
+
+constexpr const char* kFooter = R"(Examples:
+  umbrella generate knot -n 10000 -o knot.ply
+  umbrella reconstruct knot.ply -o mesh.ply --report mesh.json
+  umbrella check mesh.ply --points knot.ply
+
+`-` is standard input or output. Exit codes: 0 a closed manifold surface;
+2 bad usage or bad input; 3 a surface that is not closed or not manifold;
+1 an error of the program itself.
+`umbrella SUBCOMMAND --help` lists the options of a subcommand.)";
+
+ExitCode fail(ExitCode code, std::string message) {
+  // Some texts of the option parser have two lines; ours is to be one.
+  for (char& c : message)
+    if (c == '\n') c = ' ';
+  std::cerr << "umbrella: error: " << message << '\n';
+  return code;
+}
+
+ExitCode run(int argc, char** argv) {
+  CLI::App app("Closed surfaces and curves through sample points", "umbrella");
+  app.footer(kFooter);
+  app.set_version_flag("--version",
+                       "umbrella " + std::string(build_info::kVersion));
+  app.require_subcommand(1);
+  ExitCode exit_code = ExitCode::Done;
+  command::add_generate(app, exit_code);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& request) {  // help and version
+    app.exit(request);
+  } catch (const CLI::ParseError& e) {
+    return fail(ExitCode::BadInput, e.what());
+  }
+  return exit_code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const auto end = [](ExitCode code) { return static_cast<int>(code); };
+  try {
+    return end(run(argc, argv));
+  } catch (const io::ParseError& e) {
+    return end(fail(ExitCode::BadInput, e.what()));
+  } catch (const io::WriteError& e) {
+    return end(fail(ExitCode::BadInput, e.what()));
+  } catch (const std::invalid_argument& e) {
+    return end(fail(ExitCode::BadInput, e.what()));
+  } catch (const std::bad_alloc&) {
+    return end(fail(ExitCode::BadInput, "not enough memory"));
+  } catch (const std::exception& e) {
+    return end(fail(ExitCode::Bug, std::string("internal error: ") + e.what()));
+  }
+}
