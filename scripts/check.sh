@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Every gate a change has to pass: scripts/check.sh [GATE...]
 #   format   clang-format would change no file
-#   limits   no file is too long, none holds a forbidden word
+#   limits   no file is too long, no word is forbidden, no reference dangles
 #   gcc      g++ without a warning, all tests
 #   clang    clang++ without a warning, unit tests
 #   asan     address and undefined-behaviour sanitizers, unit tests
@@ -23,20 +23,32 @@ run_gate() {
   esac
 }
 
-check_limits() {
-  local found file most lines
-  found=$(
-    sources | while IFS= read -r file; do
-      case $file in *.h) most=150 ;; *) most=500 ;; esac
-      lines=$(wc -l <"$file")
-      [ "$lines" -le "$most" ] || echo "$file: $lines lines, limit $most"
+# One line for each breach of a rule of STYLE that no tool checks.
+breaches() {
+  local file most lines key
+  sources | while IFS= read -r file; do
+    case $file in *.h) most=150 ;; *) most=500 ;; esac
+    lines=$(wc -l <"$file")
+    [ "$lines" -le "$most" ] || echo "$file: $lines lines, limit $most"
+  done
+  sources | xargs grep -nwE 'TODO|FIXME|XXX|NOLINT[A-Z]*' || true
+  # [Key99, Sec. 1] or [Key98; Key99]: every key is in the bibliography.
+  { sources && find README.md data docs -name '*.md'; } |
+    xargs grep -ohE '\[[A-Z][a-z]+[0-9]{2}\b[^]]*\]' |
+    grep -oE '\b[A-Z][a-z]+[0-9]{2}\b' | sort --unique |
+    while IFS= read -r key; do
+      grep -q "{$key,$" docs/references.bib ||
+        echo "[$key] is not in docs/references.bib"
     done
-    sources | xargs grep -nwE 'TODO|FIXME|XXX|NOLINT[A-Z]*' || true
-  )
-  [ -z "$found" ] || {
+}
+
+check_limits() {
+  local found
+  found=$(breaches)
+  if [ -n "$found" ]; then
     echo "$found"
     return 1
-  }
+  fi
 }
 
 # Headers are seen through the sources that include them (.clang-tidy).
