@@ -48,7 +48,8 @@ inline constexpr double kNearTie = 0x1p-28;
 struct PaperCriterion {
   bool admissible(const DelaunayTriangle& t) const { return t.is_gabriel(); }
   Rank rank(const DelaunayTriangle& t) const {
-    return {t.squared_lambda_lower(), t.squared_circumradius()};
+    const double r2 = t.squared_circumradius();
+    return {r2 / t.squared_sphere_radius(), r2};
   }
   Rank exact_rank(const DelaunayTriangle& t) const {
     return {t.exact_squared_lambda_lower(), t.exact_squared_circumradius()};
@@ -64,7 +65,8 @@ void sort_by_corners(std::vector<RankedTriangle>& triangles);
 struct CircumradiusCriterion {
   bool admissible(const DelaunayTriangle& t) const { return t.is_gabriel(); }
   Rank rank(const DelaunayTriangle& t) const {
-    return {t.squared_circumradius(), t.squared_lambda_lower()};
+    const double r2 = t.squared_circumradius();
+    return {r2, r2 / t.squared_sphere_radius()};
   }
   Rank exact_rank(const DelaunayTriangle& t) const {
     return {t.exact_squared_circumradius(), t.exact_squared_lambda_lower()};
