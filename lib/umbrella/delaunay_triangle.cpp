@@ -53,6 +53,7 @@ double DelaunayTriangle::squared_circumradius() const {
 }
 
 double DelaunayTriangle::exact_squared_lambda_lower() const {
+  if (on_hull()) return 0;
   return std::min(exact_squared_lambda(facet_),
                   exact_squared_lambda(opposite()));
 }
