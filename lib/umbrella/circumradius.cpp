@@ -2,10 +2,14 @@
 #include <climits>
 #include <cmath>
 #include <cstddef>
+#include <initializer_list>
+#include <limits>
+#include <optional>
 #include <span>
 
 #include "umbrella/big_integer_internal.h"
 #include "umbrella/circumradius_internal.h"
+#include "umbrella/double_double_internal.h"
 
 namespace umbrella {
 namespace {
@@ -41,8 +45,72 @@ double squared_radius(const RadiusFraction<BigInteger>& fraction, int exponent,
 // a 2^-31 part if the squared area or volume is at least this part of what the
 // edges at one corner allow, and no square is below kTiny, where underflow
 // could spoil it.
-constexpr double kFat = 0x1p-34;
+constexpr double kFat = 0x1p-30;
 constexpr double kTiny = 0x1p-200;
+/// Error of radii in DoubleDouble, as a part, for the flattest fat ones; it
+/// grows with the flatness.
+constexpr double kPairError = 0x1p-94;
+
+/// Up to here pairs still give 2^-32.
+constexpr double kFlattestPair = 0x1p62;
+
+using Pair = DoubleDouble;
+
+/// A squared radius in pairs of doubles, and how flat its simplex is.
+struct PairRadius {
+  Pair value;
+  double flatness;  // infinite where underflow could spoil the value
+};
+
+std::array<Pair, 3> pair_difference(const Point3& p, const Point3& q,
+                                    double scale) {
+  return {Pair::difference(scale * p[0], scale * q[0]),
+          Pair::difference(scale * p[1], scale * q[1]),
+          Pair::difference(scale * p[2], scale * q[2])};
+}
+
+PairRadius pair_radius(const RadiusFraction<Pair>& fraction,
+                       std::initializer_list<Pair> squared_lengths) {
+  double product = 1, least = 1;
+  for (const Pair& l : squared_lengths) {
+    product *= l.hi;
+    least = std::min(least, l.hi);
+  }
+  const double flat2 = product / fraction.denominator.hi;
+  return {fraction.numerator / fraction.denominator,
+          least >= kTiny && flat2 > 0
+              ? std::sqrt(flat2)
+              : std::numeric_limits<double>::infinity()};
+}
+
+PairRadius pair_radius(const std::array<Point3, 3>& abc, double scale) {
+  const auto u = pair_difference(abc[1], abc[0], scale);
+  const auto v = pair_difference(abc[2], abc[0], scale);
+  return pair_radius(circle_radius(u, v), {dot(u, u), dot(v, v)});
+}
+
+PairRadius pair_radius(const std::array<Point3, 4>& abcd, double scale) {
+  const auto u = pair_difference(abcd[1], abcd[0], scale);
+  const auto v = pair_difference(abcd[2], abcd[0], scale);
+  const auto w = pair_difference(abcd[3], abcd[0], scale);
+  return pair_radius(sphere_radius(sphere(u, v, w)),
+                     {dot(u, u), dot(v, v), dot(w, w)});
+}
+
+std::optional<double> quarter_rounded(const PairRadius& r) {
+  const auto rounded = r.value.rounded(kPairError * r.flatness * r.value.hi);
+  return rounded ? std::optional(*rounded / 4) : std::nullopt;
+}
+
+/// Where doubles alone do not give 2^-31.
+template <std::size_t kPoints>
+double refined_squared_circumradius(const std::array<Point3, kPoints>& corners,
+                                    double scale) {
+  const PairRadius r = pair_radius(corners, scale);
+  return r.flatness <= kFlattestPair
+             ? r.value.hi / 4
+             : exact_squared_circumradius(corners, scale);
+}
 
 }  // namespace
 
@@ -62,7 +130,7 @@ double squared_circumradius(const std::array<Point3, 3>& abc, double scale) {
   const bool fat =
       std::min(uu, vv) >= kTiny && r.denominator >= kFat * (uu * vv);
   return fat ? r.numerator / (4 * r.denominator)
-             : exact_squared_circumradius(abc, scale);
+             : refined_squared_circumradius(abc, scale);
 }
 
 double squared_circumradius(const std::array<Point3, 4>& abcd, double scale) {
@@ -83,12 +151,15 @@ double squared_circumradius(const Sphere<double>& s,
   const bool fat =
       std::min({uu, vv, ww}) >= kTiny && r.denominator >= kFat * (uu * vv * ww);
   return fat ? r.numerator / (4 * r.denominator)
-             : exact_squared_circumradius(
-                   {*corners[0], *corners[1], *corners[2], *corners[3]}, scale);
+             : refined_squared_circumradius(
+                   std::array{*corners[0], *corners[1], *corners[2],
+                              *corners[3]},
+                   scale);
 }
 
 double exact_squared_circumradius(const std::array<Point3, 3>& abc,
                                   double scale) {
+  if (const auto r2 = quarter_rounded(pair_radius(abc, scale))) return *r2;
   const WholeDifferences<3> d(abc);
   return squared_radius(circle_radius(d.difference[0], d.difference[1]),
                         d.exponent, scale);
@@ -96,12 +167,20 @@ double exact_squared_circumradius(const std::array<Point3, 3>& abc,
 
 double exact_squared_circumradius(const std::array<Point3, 4>& abcd,
                                   double scale) {
+  if (const auto r2 = quarter_rounded(pair_radius(abcd, scale))) return *r2;
   const WholeDifferences<4> d(abcd);
   const auto s = sphere(d.difference[0], d.difference[1], d.difference[2]);
   return squared_radius(sphere_radius(s), d.exponent, scale);
 }
 
 double exact_squared_lambda(const std::array<Point3, 4>& abcd) {
+  const double scale = power_of_two_scale(abcd);
+  const PairRadius r =
+      pair_radius(std::array{abcd[0], abcd[1], abcd[2]}, scale);
+  const PairRadius R = pair_radius(abcd, scale);
+  const Pair quotient = r.value / R.value;
+  const double error = kPairError * (r.flatness + R.flatness) * quotient.hi;
+  if (const auto lambda = quotient.rounded(error)) return *lambda;
   const WholeDifferences<4> d(abcd);
   const auto& [u, v, w] = d.difference;
   const auto circle = circle_radius(u, v);

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <numeric>
 #include <queue>
 
+#include "umbrella/disjoint_sets_internal.h"
 #include "umbrella/link_graph_internal.h"
 
 namespace umbrella {
@@ -43,6 +43,11 @@ class CleanUp {
     }
   };
 
+  template <class Visit>
+  void for_each_alive(Visit visit) {
+    for (TriangleIndex t = 0; t < triangles_.size(); ++t)
+      if (fate_[t] == Fate::Alive) visit(t);
+  }
   void classify(VertexId v, std::vector<TriangleIndex>& type2);
   std::vector<TriangleIndex> worst_type3();
   std::vector<VertexId> delete_all(std::span<const TriangleIndex> doomed,
@@ -127,45 +132,33 @@ std::vector<VertexId> CleanUp::delete_all(std::span<const TriangleIndex> doomed,
   return dirty;
 }
 
-/// Deletes closed pieces of at most `largest` triangles. By now pieces that
-/// share a vertex with an umbrella are one, so pieces are those of the vertices
-/// joined by triangles, and closed if each vertex has an umbrella.
+/// Deletes closed pieces of at most `largest` triangles. By now triangles that
+/// share a vertex with an umbrella are all in it, so pieces are what triangles
+/// join, and closed if each vertex has an umbrella.
 void CleanUp::dissolve_pieces(std::size_t largest) {
-  struct Piece {
-    std::size_t n_triangles = 0;
-    bool is_closed = true;
-  };
-  std::vector<std::uint32_t> parent(has_umbrella_.size());
-  std::iota(parent.begin(), parent.end(), 0U);
-  const auto piece_of = [&](VertexId v) {
-    auto i = static_cast<std::uint32_t>(v);
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  };
-  for (TriangleIndex t = 0; t < triangles_.size(); ++t) {
-    if (fate_[t] != Fate::Alive) continue;
+  DisjointSets pieces(has_umbrella_.size());
+  for_each_alive([&](TriangleIndex t) {
     const auto& [a, b, c] = triangles_[t].corners;
-    parent[piece_of(b)] = piece_of(a);
-    parent[piece_of(c)] = piece_of(a);
-  }
+    pieces.unite(index(a), index(b));
+    pieces.unite(index(a), index(c));
+  });
+  const auto piece_of = [&](TriangleIndex t) {
+    return pieces.root(index(triangles_[t].corners[0]));
+  };
 
-  std::vector<Piece> pieces(parent.size());
-  for (std::size_t i = 0; i < parent.size(); ++i)
-    if (!has_umbrella_[i])
-      pieces[piece_of(VertexId{static_cast<std::uint32_t>(i)})].is_closed =
-          false;
-  for (TriangleIndex t = 0; t < triangles_.size(); ++t)
-    if (fate_[t] == Fate::Alive)
-      ++pieces[piece_of(triangles_[t].corners[0])].n_triangles;
-  for (TriangleIndex t = 0; t < triangles_.size(); ++t) {
-    const Piece& piece = pieces[piece_of(triangles_[t].corners[0])];
-    if (fate_[t] != Fate::Alive || !piece.is_closed ||
-        piece.n_triangles > largest)
-      continue;
+  std::vector<std::size_t> n_triangles(has_umbrella_.size());
+  for_each_alive([&](TriangleIndex t) { ++n_triangles[piece_of(t)]; });
+  std::vector<bool> is_doomed(has_umbrella_.size());
+  for (std::size_t v = 0; v < is_doomed.size(); ++v)
+    is_doomed[v] = n_triangles[v] <= largest;
+  for (std::size_t v = 0; v < has_umbrella_.size(); ++v)
+    if (!has_umbrella_[v]) is_doomed[pieces.root(v)] = false;
+  for_each_alive([&](TriangleIndex t) {
+    if (!is_doomed[piece_of(t)]) return;
     fate_[t] = Fate::Dissolved;
     for (const VertexId v : triangles_[t].corners)
       has_umbrella_[index(v)] = false;
-  }
+  });
 }
 
 CleanUpResult CleanUp::result() const {

@@ -194,7 +194,7 @@ bool Closing::drop_points(Task& task) {
 
 void Closing::accept(const Attempt& solved) {
   for (const TriangleIndex t : solved.freed) surface_.remove(t);
-  for (const Triangle& t : solved.chosen) surface_.add(t);
+  for (const LocatedTriangle& t : solved.chosen) surface_.add(t);
   for (const VertexId v : solved.vertices) is_open_[index(v)] = false;
   result_.dropped.insert(result_.dropped.end(), solved.dropped.begin(),
                          solved.dropped.end());

@@ -52,8 +52,8 @@ struct ClosingReport {
 };
 
 struct ClosingResult {
-  std::vector<Triangle> triangles;  ///< the surface, ascending
-  std::vector<VertexId> dropped;    ///< left out to close, ascending
+  std::vector<LocatedTriangle> triangles;  ///< by ascending corners
+  std::vector<VertexId> dropped;           ///< left out to close, ascending
   ClosingReport report;
 };
 

@@ -16,10 +16,10 @@ bool contains(std::span<const VertexId> ascending, VertexId v) {
 
 }  // namespace
 
-ClosingProgram::ClosingProgram(
-    const WorkingSurface& surface,
-    std::span<const Neighborhoods::Candidate> candidates,
-    std::span<const VertexId> vertices, std::span<const VertexId> may_drop)
+ClosingProgram::ClosingProgram(const WorkingSurface& surface,
+                               std::span<const LocatedTriangle> candidates,
+                               std::span<const VertexId> vertices,
+                               std::span<const VertexId> may_drop)
     : n_candidates_(candidates.size()),
       vertices_(vertices.begin(), vertices.end()) {
   for (const auto& c : candidates)
@@ -30,9 +30,8 @@ ClosingProgram::ClosingProgram(
   add_rings(may_drop);
 }
 
-void ClosingProgram::add_members(
-    const WorkingSurface& surface,
-    std::span<const Neighborhoods::Candidate> candidates) {
+void ClosingProgram::add_members(const WorkingSurface& surface,
+                                 std::span<const LocatedTriangle> candidates) {
   problem_.add_variables(candidates.size());
   for (std::size_t i = 0; i < candidates.size(); ++i)
     members_.push_back(
@@ -46,11 +45,11 @@ void ClosingProgram::add_members(
                     at_vertices.end());
   for (const TriangleIndex t : at_vertices) {
     const Triangle& corners = surface.corners(t);
-    const auto found = std::lower_bound(
-        candidates.begin(), candidates.end(), corners,
-        [](const Neighborhoods::Candidate& c, const Triangle& wanted) {
-          return c.corners < wanted;
-        });
+    const auto found =
+        std::lower_bound(candidates.begin(), candidates.end(), corners,
+                         [](const LocatedTriangle& c, const Triangle& wanted) {
+                           return c.corners < wanted;
+                         });
     if (found != candidates.end() && found->corners == corners) {
       freed_.push_back(t);
       continue;

@@ -24,7 +24,7 @@ class ClosingProgram {
   /// @param may_drop  vertices that may stay without triangles if no fixed
   ///   triangle is there; ascending
   ClosingProgram(const WorkingSurface& surface,
-                 std::span<const Neighborhoods::Candidate> candidates,
+                 std::span<const LocatedTriangle> candidates,
                  std::span<const VertexId> vertices,
                  std::span<const VertexId> may_drop);
 
@@ -57,7 +57,7 @@ class ClosingProgram {
   using Edge = std::array<VertexId, 2>;
 
   void add_members(const WorkingSurface& surface,
-                   std::span<const Neighborhoods::Candidate> candidates);
+                   std::span<const LocatedTriangle> candidates);
   void add_pairs();
   void add_rings(std::span<const VertexId> may_drop);
   void add_ring(VertexId v, std::span<const Member> members, bool may_drop);

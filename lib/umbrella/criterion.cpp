@@ -1,6 +1,7 @@
 #include "umbrella/criterion.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <numeric>
 
@@ -24,11 +25,12 @@ void for_each_near_run(Iterator first, Iterator last, Value value,
 
 }  // namespace
 
-std::vector<std::uint32_t> near_ties(std::span<const Candidate> candidates) {
-  std::vector<std::uint32_t> order(candidates.size());
+std::vector<std::uint32_t> near_ties(
+    std::span<const RankedTriangle> triangles) {
+  std::vector<std::uint32_t> order(triangles.size());
   std::iota(order.begin(), order.end(), 0U);
   const auto rank = [&](std::uint32_t i) -> const Rank& {
-    return candidates[i].triangle.rank;
+    return triangles[i].rank;
   };
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
     return rank(a) < rank(b);
@@ -50,15 +52,11 @@ std::vector<std::uint32_t> near_ties(std::span<const Candidate> candidates) {
   return ties;
 }
 
-std::vector<RankedTriangle> by_corners(std::span<const Candidate> candidates) {
-  std::vector<RankedTriangle> triangles(candidates.size());
-  std::transform(candidates.begin(), candidates.end(), triangles.begin(),
-                 [](const Candidate& c) { return c.triangle; });
+void sort_by_corners(std::vector<RankedTriangle>& triangles) {
   std::sort(triangles.begin(), triangles.end(),
             [](const RankedTriangle& a, const RankedTriangle& b) {
               return a.corners < b.corners;
             });
-  return triangles;
 }
 
 }  // namespace umbrella

@@ -13,6 +13,8 @@
 #pragma once
 
 #include <concepts>
+#include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -46,25 +48,30 @@ inline constexpr double kNearTie = 0x1p-28;
 struct PaperCriterion {
   bool admissible(const DelaunayTriangle& t) const { return t.is_gabriel(); }
   Rank rank(const DelaunayTriangle& t) const {
-    return {t.squared_lambda_lower(), t.squared_circumradius()};
+    const double r2 = t.squared_circumradius();
+    return {r2 / t.squared_sphere_radius(), r2};
   }
   Rank exact_rank(const DelaunayTriangle& t) const {
     return {t.exact_squared_lambda_lower(), t.exact_squared_circumradius()};
   }
 };
 
-/// An admissible triangle on its way through ranked_triangles().
-struct Candidate {
-  RankedTriangle triangle;
-  delaunay::Facet facet;
+/// Positions of the triangles whose ranks are too close to another's to trust.
+std::vector<std::uint32_t> near_ties(std::span<const RankedTriangle> triangles);
+
+void sort_by_corners(std::vector<RankedTriangle>& triangles);
+
+/// Gabriel triangles, the smaller circumradius first: sizes, not shapes.
+struct CircumradiusCriterion {
+  bool admissible(const DelaunayTriangle& t) const { return t.is_gabriel(); }
+  Rank rank(const DelaunayTriangle& t) const {
+    const double r2 = t.squared_circumradius();
+    return {r2, r2 / t.squared_sphere_radius()};
+  }
+  Rank exact_rank(const DelaunayTriangle& t) const {
+    return {t.exact_squared_circumradius(), t.exact_squared_lambda_lower()};
+  }
 };
-
-/// Groups of candidates whose ranks are too close to trust, as positions.
-/// Sorted by what ranked_triangles() does next, never by hash.
-std::vector<std::uint32_t> near_ties(std::span<const Candidate> candidates);
-
-/// The triangles of the candidates, by ascending corners.
-std::vector<RankedTriangle> by_corners(std::span<const Candidate> candidates);
 
 /// Each facet of a cell within the hull, once.
 template <class Visit>
@@ -83,22 +90,28 @@ void for_each_facet(const delaunay::Triangulation3& triangulation,
 /// corners. Depends on the set of points alone if the criterion does.
 template <Criterion C = PaperCriterion>
 std::vector<RankedTriangle> ranked_triangles(
-    const delaunay::Triangulation3& triangulation, const C& criterion = {}) {
-  const Circumspheres spheres(triangulation);
-  std::vector<Candidate> candidates;
+    const delaunay::Triangulation3& triangulation, const Circumspheres& spheres,
+    const C& criterion = {}) {
+  std::vector<RankedTriangle> triangles;
   for_each_facet(triangulation, [&](delaunay::Facet facet) {
     const DelaunayTriangle t(triangulation, spheres, facet);
     if (criterion.admissible(t))
-      candidates.push_back({{t.corners(), criterion.rank(t)}, facet});
+      triangles.push_back({t.corners(), facet, criterion.rank(t)});
   });
   if constexpr (ExactCriterion<C>) {
-    for (const std::uint32_t i : near_ties(candidates)) {
-      Candidate& near = candidates[i];
-      near.triangle.rank = criterion.exact_rank(
-          DelaunayTriangle(triangulation, spheres, near.facet));
-    }
+    for (const std::uint32_t i : near_ties(triangles))
+      triangles[i].rank = criterion.exact_rank(
+          DelaunayTriangle(triangulation, spheres, triangles[i].facet));
   }
-  return by_corners(candidates);
+  sort_by_corners(triangles);
+  return triangles;
+}
+
+template <Criterion C = PaperCriterion>
+std::vector<RankedTriangle> ranked_triangles(
+    const delaunay::Triangulation3& triangulation, const C& criterion = {}) {
+  return ranked_triangles(triangulation, Circumspheres(triangulation),
+                          criterion);
 }
 
 }  // namespace umbrella

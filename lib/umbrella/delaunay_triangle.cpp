@@ -11,28 +11,23 @@ namespace {
 
 using delaunay::Cell;
 using delaunay::kFacetCorners;
-using delaunay::Triangulation3;
 
 }  // namespace
 
-DelaunayTriangle::DelaunayTriangle(const Triangulation3& triangulation,
-                                   const Circumspheres& spheres,
-                                   delaunay::Facet facet)
-    : triangulation_(&triangulation), spheres_(&spheres), facet_(facet) {
-  const Cell& cell = triangulation.cell(facet.cell());
-  const auto& slots = kFacetCorners[facet.index()];
-  for (unsigned i = 0; i < 3; ++i) corners_[i] = cell.vertex[slots[i]];
-  std::sort(corners_.begin(), corners_.end());
+Triangle DelaunayTriangle::corners() const {
+  const Cell& cell = triangulation_->cell(facet_.cell());
+  const auto& slots = kFacetCorners[facet_.index()];
+  const VertexId a = cell.vertex[slots[0]], b = cell.vertex[slots[1]],
+                 c = cell.vertex[slots[2]];
+  const VertexId low = std::min(a, b), high = std::max(a, b);
+  return {std::min(low, c), std::max(low, std::min(high, c)),
+          std::max(high, c)};
 }
 
 std::array<Point3, 3> DelaunayTriangle::points() const {
-  return {triangulation_->point(corners_[0]),
-          triangulation_->point(corners_[1]),
-          triangulation_->point(corners_[2])};
-}
-
-delaunay::Facet DelaunayTriangle::opposite() const {
-  return triangulation_->cell(facet_.cell()).neighbor[facet_.index()];
+  const auto [a, b, c] = corners();
+  return {triangulation_->point(a), triangulation_->point(b),
+          triangulation_->point(c)};
 }
 
 bool DelaunayTriangle::on_hull() const {
@@ -47,12 +42,6 @@ LambdaInterval DelaunayTriangle::lambda() const {
   const double l2 = std::sqrt(r2 / spheres_->squared_radius(other));
   return {std::min({l1, l2, 1.0}),
           is_gabriel() ? 1.0 : std::min(std::max(l1, l2), 1.0)};
-}
-
-double DelaunayTriangle::squared_lambda_lower() const {
-  const auto [one, other] = cells();
-  return squared_circumradius() / std::max(spheres_->squared_radius(one),
-                                           spheres_->squared_radius(other));
 }
 
 double DelaunayTriangle::squared_circumradius() const {

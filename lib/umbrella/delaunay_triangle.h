@@ -2,6 +2,7 @@
 /// One Delaunay triangle, and what a criterion may ask about it.
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "delaunay/triangulation3.h"
@@ -11,15 +12,16 @@
 
 namespace umbrella {
 
-/// A view of four words: every answer is computed when it is asked for. Both
+/// A view of three words: every answer is computed when it is asked for. Both
 /// objects it looks at must outlive it. Answers depend on the set of points
 /// alone, not on how cells are numbered or which cell the facet is seen from.
 class DelaunayTriangle {
  public:
   DelaunayTriangle(const delaunay::Triangulation3& triangulation,
-                   const Circumspheres& spheres, delaunay::Facet facet);
+                   const Circumspheres& spheres, delaunay::Facet facet)
+      : triangulation_(&triangulation), spheres_(&spheres), facet_(facet) {}
 
-  const Triangle& corners() const { return corners_; }
+  Triangle corners() const;
   std::array<Point3, 3> points() const;
 
   /// The two cells at the triangle, one of them perhaps beyond the hull.
@@ -38,7 +40,15 @@ class DelaunayTriangle {
   /// are not needles or slivers. See exact_...() for the last bit.
   LambdaInterval lambda() const;
   /// Square of the lower bound of lambda().
-  double squared_lambda_lower() const;
+  double squared_lambda_lower() const {
+    return squared_circumradius() / squared_sphere_radius();
+  }
+  /// Of the larger of the two cells' circumspheres; infinite on the hull. In
+  /// the unit of squared_circumradius().
+  double squared_sphere_radius() const {
+    return std::max(spheres_->squared_radius(facet_.cell()),
+                    spheres_->squared_radius(opposite().cell()));
+  }
   /// In units of (1 / scale)^2, scale as in Circumspheres; so it ranks at
   /// any size.
   double squared_circumradius() const;
@@ -51,12 +61,13 @@ class DelaunayTriangle {
   double area() const;          ///< in the squared unit of the points
 
  private:
-  delaunay::Facet opposite() const;
+  delaunay::Facet opposite() const {
+    return triangulation_->cell(facet_.cell()).neighbor[facet_.index()];
+  }
 
   const delaunay::Triangulation3* triangulation_;
   const Circumspheres* spheres_;
   delaunay::Facet facet_;
-  Triangle corners_;
 };
 
 }  // namespace umbrella

@@ -4,9 +4,8 @@
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 
-#include "umbrella/incidence_internal.h"
+#include "umbrella/disjoint_sets_internal.h"
 
 namespace umbrella {
 namespace {
@@ -34,26 +33,6 @@ std::vector<Edge> open_edges(std::span<const RankedTriangle> triangles,
   return open;
 }
 
-/// For each of the vertices the smallest one it is joined to by the edges.
-std::vector<VertexId> components(std::size_t n_vertices,
-                                 std::span<const Edge> edges) {
-  std::vector<VertexId> parent(n_vertices);
-  for (std::size_t v = 0; v < n_vertices; ++v)
-    parent[v] = VertexId{static_cast<std::uint32_t>(v)};
-  const auto root = [&](VertexId v) {
-    while (parent[index(v)] != v)
-      v = parent[index(v)] = parent[index(parent[index(v)])];
-    return v;
-  };
-  for (const Edge& e : edges) {
-    const VertexId a = root(e[0]), b = root(e[1]);
-    parent[index(std::max(a, b))] = std::min(a, b);
-  }
-  for (std::size_t v = 0; v < n_vertices; ++v)
-    parent[v] = root(VertexId{static_cast<std::uint32_t>(v)});
-  return parent;
-}
-
 void sort_unique(std::vector<VertexId>& vertices) {
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
@@ -67,19 +46,20 @@ std::vector<Hole> find_holes(std::size_t n_vertices,
                              std::span<const VertexId> without_umbrella) {
   std::vector<bool> is_bare(n_vertices);
   for (const VertexId v : without_umbrella) is_bare[index(v)] = true;
-  const auto first_of_core =
-      components(n_vertices, open_edges(triangles, is_bare));
+  DisjointSets cores(n_vertices);
+  for (const auto& [a, b] : open_edges(triangles, is_bare))
+    cores.unite(index(a), index(b));
 
   std::vector<Hole> holes;
   std::vector<std::uint32_t> hole_of_vertex(n_vertices, kNoHole);
   for (const VertexId v : without_umbrella) {
-    const VertexId first = first_of_core[index(v)];
-    if (first == v) {
-      hole_of_vertex[index(v)] = static_cast<std::uint32_t>(holes.size());
+    const std::uint32_t first = cores.root(index(v));
+    if (first == index(v)) {
+      hole_of_vertex[first] = static_cast<std::uint32_t>(holes.size());
       holes.emplace_back();
     }
-    hole_of_vertex[index(v)] = hole_of_vertex[index(first)];
-    holes[hole_of_vertex[index(v)]].core.push_back(v);
+    hole_of_vertex[index(v)] = hole_of_vertex[first];
+    holes[hole_of_vertex[first]].core.push_back(v);
   }
 
   for (Hole& hole : holes) hole.vertices = hole.core;

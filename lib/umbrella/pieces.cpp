@@ -11,7 +11,7 @@ std::vector<Piece> PieceFinder::find(const Change& change,
   for (const TriangleIndex t : freed) is_freed_[t] = true;
   corners_.clear();
   for (std::uint32_t t = 0; t < chosen.size(); ++t)
-    for (const VertexId v : chosen[t]) corners_.push_back({v, t});
+    for (const VertexId v : chosen[t].corners) corners_.push_back({v, t});
   std::sort(corners_.begin(), corners_.end(),
             [](const Corner& a, const Corner& b) {
               return a.vertex != b.vertex ? a.vertex < b.vertex
@@ -20,10 +20,11 @@ std::vector<Piece> PieceFinder::find(const Change& change,
 
   std::vector<Piece> pieces;
   n_pieces_ = 1;
-  for (const Triangle& t : chosen) {
-    if (piece_of_[index(t[0])] != 0) continue;
+  for (const LocatedTriangle& t : chosen) {
+    const VertexId start = t.corners[0];
+    if (piece_of_[index(start)] != 0) continue;
     Piece piece;
-    if (explore(t[0], change, is_open, piece)) pieces.push_back(piece);
+    if (explore(start, change, is_open, piece)) pieces.push_back(piece);
   }
   for (const VertexId v : reached_) piece_of_[index(v)] = 0;
   reached_.clear();
@@ -65,7 +66,7 @@ bool PieceFinder::explore(VertexId start, const Change& change,
         [](const Corner& c, VertexId wanted) { return c.vertex < wanted; });
     if (at != corners_.end() && at->vertex == v) piece.vertices.push_back(v);
     for (; at != corners_.end() && at->vertex == v; ++at)
-      meet(change.chosen[at->triangle], v);
+      meet(change.chosen[at->triangle].corners, v);
     is_large = is_large || piece.n_triangles > limit_;
   }
   if (is_large) {

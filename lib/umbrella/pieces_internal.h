@@ -20,9 +20,9 @@ struct Piece {
 
 /// What a program would do to a surface.
 struct Change {
-  std::span<const TriangleIndex> freed;  ///< would go
-  std::span<const Triangle> chosen;      ///< would come
-  std::span<const VertexId> vertices;    ///< would be done with; ascending
+  std::span<const TriangleIndex> freed;     ///< would go
+  std::span<const LocatedTriangle> chosen;  ///< would come
+  std::span<const VertexId> vertices;       ///< would be done with; ascending
 };
 
 /// Looks for small pieces about the triangles that a program has chosen.

@@ -69,7 +69,8 @@ struct Reconstruction {
   ReconstructCounts counts;
   ClosingReport closing;
   std::vector<std::uint32_t> dropped_rows;  ///< left out to close, ascending
-  std::vector<std::uint32_t> unused_rows;   ///< distinct points not used
+  /// Certificate of `triangles`, over the distinct points; its
+  /// unused_vertices are rows of the input.
   SurfaceReport surface;
   ReconstructSeconds seconds;
 };

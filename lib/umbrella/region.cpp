@@ -3,6 +3,7 @@
 #include <iterator>
 #include <limits>
 
+#include "umbrella/disjoint_sets_internal.h"
 #include "umbrella/region_internal.h"
 
 namespace umbrella {
@@ -15,25 +16,6 @@ using delaunay::kFacetCorners;
 
 constexpr std::uint8_t kInRegion = 1;
 constexpr std::uint8_t kStuck = 2;
-
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t n) : parent_(n) {
-    for (std::size_t i = 0; i < n; ++i) parent_[i] = i;
-  }
-  std::size_t root(std::size_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void unite(std::size_t a, std::size_t b) {
-    a = root(a);
-    b = root(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::size_t> parent_;
-};
 
 }  // namespace
 
@@ -124,13 +106,12 @@ void Neighborhoods::collect_star(VertexId v) {
   }
 }
 
-std::vector<Neighborhoods::Candidate> Neighborhoods::candidates(
-    const Region& region) {
+std::vector<LocatedTriangle> Neighborhoods::candidates(const Region& region) {
   for (const VertexId v : region.vertices) mark_[index(v)] |= kInRegion;
   for (const VertexId v : region.stuck) mark_[index(v)] |= kStuck;
   collect_cells(united(region.vertices, region.stuck));
 
-  std::vector<Candidate> result;
+  std::vector<LocatedTriangle> result;
   for (const CellId c : cells_)
     for (unsigned i = 0; i < 4; ++i) {
       const Cell& cell = triangulation_.cell(c);
@@ -148,7 +129,7 @@ std::vector<Neighborhoods::Candidate> Neighborhoods::candidates(
       result.push_back({t, Facet(c, i)});
     }
   std::sort(result.begin(), result.end(),
-            [](const Candidate& a, const Candidate& b) {
+            [](const LocatedTriangle& a, const LocatedTriangle& b) {
               return a.corners < b.corners;
             });
   for (const VertexId v : region.vertices) mark_[index(v)] = 0;

@@ -36,13 +36,8 @@ class Neighborhoods {
  public:
   explicit Neighborhoods(const delaunay::Triangulation3& triangulation);
 
-  /// The candidate triangles of a region, ascending, each with a facet it is
-  /// seen through.
-  struct Candidate {
-    Triangle corners;
-    delaunay::Facet facet;
-  };
-  std::vector<Candidate> candidates(const Region& region);
+  /// The candidate triangles of a region, by ascending corners.
+  std::vector<LocatedTriangle> candidates(const Region& region);
 
   /// Vertices joined to one of these by a Delaunay edge, and these; ascending.
   std::vector<VertexId> ring(std::span<const VertexId> vertices);

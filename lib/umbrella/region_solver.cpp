@@ -21,7 +21,7 @@ bool is_among(const Piece& piece, std::span<const Piece> pieces) {
 }  // namespace
 
 struct RegionSolver::Work {
-  std::vector<Neighborhoods::Candidate> candidates;
+  std::vector<LocatedTriangle> candidates;
   ClosingProgram program;
   ilp::Solver solver;
   std::span<const Piece> allowed;
@@ -30,8 +30,7 @@ struct RegionSolver::Work {
   Attempt result;
 
   Work(const WorkingSurface& surface, const Region& region,
-       std::vector<Neighborhoods::Candidate> found,
-       std::span<const VertexId> may_drop)
+       std::vector<LocatedTriangle> found, std::span<const VertexId> may_drop)
       : candidates(std::move(found)),
         program(surface, candidates, region.vertices, may_drop),
         solver(program.problem()) {
@@ -134,7 +133,7 @@ bool RegionSolver::read_model(Work& work) {
   result.chosen.clear();
   result.dropped.clear();
   for (std::size_t i = 0; i < work.candidates.size(); ++i)
-    if (work.model[i]) result.chosen.push_back(work.candidates[i].corners);
+    if (work.model[i]) result.chosen.push_back(work.candidates[i]);
   for (const auto& [vertex, is_dropped] : work.program.droppable())
     if (work.model[index(is_dropped)]) result.dropped.push_back(vertex);
   if (options_.mode == CloseMode::Paper) return true;

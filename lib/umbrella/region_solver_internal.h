@@ -29,12 +29,12 @@ struct Attempt {
   Outcome outcome = Outcome::Undecided;
   std::size_t n_candidates = 0;
   std::size_t n_variables = 0;
-  std::vector<Triangle> chosen;      ///< candidates of the solution
-  std::vector<TriangleIndex> freed;  ///< candidates that stood there before
-  std::vector<VertexId> vertices;    ///< of the program
-  std::vector<VertexId> dropped;     ///< left without triangles
-  std::vector<VertexId> stuck;       ///< of the contradiction, if there is one
-  std::vector<Piece> pieces;         ///< those that were cut off
+  std::vector<LocatedTriangle> chosen;  ///< candidates of the solution
+  std::vector<TriangleIndex> freed;     ///< candidates that stood there before
+  std::vector<VertexId> vertices;       ///< of the program
+  std::vector<VertexId> dropped;        ///< left without triangles
+  std::vector<VertexId> stuck;  ///< of the contradiction, if there is one
+  std::vector<Piece> pieces;    ///< those that were cut off
 };
 
 class RegionSolver {

@@ -28,12 +28,16 @@ struct Rank {
   friend auto operator<=>(const Rank&, const Rank&) = default;
 };
 
+/// A Delaunay triangle, and the facet it is in the cell with the smaller id.
+struct LocatedTriangle {
+  Triangle corners;
+  delaunay::Facet facet;
+};
+
 struct RankedTriangle {
   Triangle corners;
+  delaunay::Facet facet;  ///< as in LocatedTriangle
   Rank rank;
-
-  friend bool operator==(const RankedTriangle&,
-                         const RankedTriangle&) = default;
 };
 
 /// The total order of triangles: rank, then corners. As VertexIds depend on

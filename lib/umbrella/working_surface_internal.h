@@ -21,21 +21,23 @@ class WorkingSurface {
   WorkingSurface(std::size_t n_vertices,
                  std::span<const RankedTriangle> triangles)
       : head_(n_vertices, kEnd) {
-    for (const RankedTriangle& t : triangles) add(t.corners);
+    for (const RankedTriangle& t : triangles) add({t.corners, t.facet});
   }
 
   std::size_t n_vertices() const { return head_.size(); }
   /// Indices of triangles are below it.
-  std::size_t n_indices() const { return corners_.size(); }
-  const Triangle& corners(TriangleIndex t) const { return corners_[t]; }
+  std::size_t n_indices() const { return triangles_.size(); }
+  const Triangle& corners(TriangleIndex t) const {
+    return triangles_[t].corners;
+  }
   bool contains(TriangleIndex t) const { return is_there_[t]; }
 
-  void add(const Triangle& corners) {
-    const auto t = static_cast<TriangleIndex>(corners_.size());
-    corners_.push_back(corners);
+  void add(const LocatedTriangle& triangle) {
+    const auto t = static_cast<TriangleIndex>(triangles_.size());
+    triangles_.push_back(triangle);
     is_there_.push_back(true);
     for (std::uint32_t i = 0; i < 3; ++i) {
-      std::uint32_t& head = head_[index(corners[i])];
+      std::uint32_t& head = head_[index(triangle.corners[i])];
       next_.push_back(head);
       head = 3 * t + i;
     }
@@ -50,12 +52,15 @@ class WorkingSurface {
       if (is_there_[i / 3]) visit(TriangleIndex{i / 3});
   }
 
-  /// All triangles, ascending.
-  std::vector<Triangle> sorted() const {
-    std::vector<Triangle> result;
-    for (TriangleIndex t = 0; t < corners_.size(); ++t)
-      if (is_there_[t]) result.push_back(corners_[t]);
-    std::sort(result.begin(), result.end());
+  /// All triangles, by ascending corners.
+  std::vector<LocatedTriangle> sorted() const {
+    std::vector<LocatedTriangle> result;
+    for (TriangleIndex t = 0; t < triangles_.size(); ++t)
+      if (is_there_[t]) result.push_back(triangles_[t]);
+    std::sort(result.begin(), result.end(),
+              [](const LocatedTriangle& a, const LocatedTriangle& b) {
+                return a.corners < b.corners;
+              });
     return result;
   }
 
@@ -63,7 +68,7 @@ class WorkingSurface {
   static constexpr std::uint32_t kEnd =
       std::numeric_limits<std::uint32_t>::max();
 
-  std::vector<Triangle> corners_;
+  std::vector<LocatedTriangle> triangles_;
   std::vector<bool> is_there_;
   std::vector<std::uint32_t> head_;  // 3 t + i: corner i of triangle t
   std::vector<std::uint32_t> next_;  // of 3 t + i

@@ -1,0 +1,34 @@
+/// @file
+/// Union-find over 0 .. n-1.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+namespace umbrella {
+
+/// The root of a set is its smallest member: results do not depend on the
+/// order of the unions.
+class DisjointSets {
+ public:
+  explicit DisjointSets(std::size_t n) : parent_(n) {
+    std::iota(parent_.begin(), parent_.end(), std::uint32_t{0});
+  }
+  std::uint32_t root(std::size_t i) {
+    auto r = static_cast<std::uint32_t>(i);
+    while (parent_[r] != r) r = parent_[r] = parent_[parent_[r]];
+    return r;
+  }
+  void unite(std::size_t i, std::size_t k) {
+    const std::uint32_t a = root(i), b = root(k);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+};
+
+}  // namespace umbrella

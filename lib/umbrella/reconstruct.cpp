@@ -1,0 +1,197 @@
+#include "umbrella/reconstruct.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "umbrella/criterion.h"
+#include "umbrella/filter.h"
+#include "umbrella/surface.h"
+
+namespace umbrella {
+namespace {
+
+using delaunay::Triangulation3;
+
+constexpr std::array<std::string_view, 2> kCriteria = {"paper", "circumradius"};
+
+std::vector<RankedTriangle> ranked_by(std::string_view criterion,
+                                      const Triangulation3& triangulation,
+                                      const Circumspheres& spheres) {
+  if (criterion == "circumradius")
+    return ranked_triangles(triangulation, spheres, CircumradiusCriterion{});
+  return ranked_triangles(triangulation, spheres, PaperCriterion{});
+}
+
+std::vector<LocatedTriangle> without_ranks(
+    std::span<const RankedTriangle> ranked) {
+  std::vector<LocatedTriangle> result(ranked.size());
+  std::transform(ranked.begin(), ranked.end(), result.begin(),
+                 [](const RankedTriangle& t) {
+                   return LocatedTriangle{t.corners, t.facet};
+                 });
+  return result;
+}
+
+class Pipeline {
+ public:
+  explicit Pipeline(const ReconstructOptions& options) : options_(options) {
+    if (std::find(kCriteria.begin(), kCriteria.end(), options.criterion) ==
+        kCriteria.end())
+      throw std::invalid_argument("there is no criterion '" +
+                                  std::string(options.criterion) + "'");
+  }
+
+  Reconstruction run(std::span<const Point3> points);
+
+ private:
+  /// What `work` returns; notes the wall clock.
+  template <class Work>
+  auto timed(std::string_view stage, double& seconds, Work work) {
+    if (options_.progress) options_.progress(stage);
+    const auto start = std::chrono::steady_clock::now();
+    auto value = work();
+    seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
+            .count();
+    return value;
+  }
+
+  std::vector<LocatedTriangle> triangles_of(const Triangulation3& triangulation,
+                                            const Circumspheres& spheres);
+  CleanUpResult cleaned(std::size_t n_vertices, const FilterResult& filtered);
+  std::vector<Hole> holes(std::size_t n_vertices, const CleanUpResult& clean);
+  void finish(const Triangulation3& triangulation, const Circumspheres& spheres,
+              std::span<const LocatedTriangle> triangles);
+
+  const ReconstructOptions& options_;
+  std::vector<VertexId> dropped_;
+  Reconstruction result_;
+};
+
+Reconstruction Pipeline::run(std::span<const Point3> points) {
+  const auto triangulation = timed("delaunay", result_.seconds.delaunay,
+                                   [&] { return Triangulation3(points); });
+  const auto spheres = timed("lambda", result_.seconds.lambda,
+                             [&] { return Circumspheres(triangulation); });
+  result_.dimension = triangulation.dimension();
+  const std::size_t n_cells = triangulation.cells().size();
+  const std::size_t n_outside = n_cells - triangulation.n_finite_cells();
+  ReconstructCounts& counts = result_.counts;
+  counts.points = points.size();
+  counts.duplicates = points.size() - triangulation.points().size();
+  counts.delaunay_cells = triangulation.n_finite_cells();
+  // Four facets a cell, each seen from two cells or from outside the hull.
+  counts.delaunay_triangles = (4 * counts.delaunay_cells + n_outside) / 2;
+  finish(triangulation, spheres, triangles_of(triangulation, spheres));
+  return std::move(result_);
+}
+
+std::vector<LocatedTriangle> Pipeline::triangles_of(
+    const Triangulation3& triangulation, const Circumspheres& spheres) {
+  const std::size_t n = triangulation.points().size();
+  double seconds = 0;
+  const auto ranked = timed("lambda", seconds, [&] {
+    return ranked_by(options_.criterion, triangulation, spheres);
+  });
+  result_.seconds.lambda += seconds;
+  result_.counts.admissible_triangles = ranked.size();
+
+  const auto filtered = timed("filter", result_.seconds.filter,
+                              [&] { return umbrella_filter(n, ranked); });
+  result_.counts.filter_triangles = filtered.triangles.size();
+  result_.counts.filter_without_umbrella = filtered.without_umbrella.size();
+  if (options_.stage == Stage::Filter) return without_ranks(filtered.triangles);
+
+  const CleanUpResult clean = cleaned(n, filtered);
+  if (options_.stage == Stage::Clean) return without_ranks(clean.triangles);
+
+  const std::vector<Hole> open = holes(n, clean);
+  ClosingResult closed = timed("closing", result_.seconds.closing, [&] {
+    return close_holes(triangulation, clean.triangles, open, options_.closing);
+  });
+  result_.closing = closed.report;
+  dropped_ = std::move(closed.dropped);
+  return std::move(closed.triangles);
+}
+
+CleanUpResult Pipeline::cleaned(std::size_t n_vertices,
+                                const FilterResult& filtered) {
+  CleanUpResult clean = timed("clean_up", result_.seconds.clean_up, [&] {
+    return clean_up(n_vertices, filtered.triangles, options_.clean_up);
+  });
+  ReconstructCounts& counts = result_.counts;
+  counts.deleted_type2 = clean.n_type2;
+  counts.deleted_type3 = clean.n_type3;
+  counts.dissolved = clean.n_dissolved;
+  counts.clean_triangles = clean.triangles.size();
+  counts.clean_without_umbrella = clean.without_umbrella.size();
+  return clean;
+}
+
+std::vector<Hole> Pipeline::holes(std::size_t n_vertices,
+                                  const CleanUpResult& clean) {
+  std::vector<Hole> found = timed("holes", result_.seconds.holes, [&] {
+    return find_holes(n_vertices, clean.triangles, clean.deleted,
+                      clean.without_umbrella);
+  });
+  result_.counts.holes = found.size();
+  for (const Hole& hole : found)
+    result_.counts.largest_hole_vertices =
+        std::max(result_.counts.largest_hole_vertices, hole.vertices.size());
+  return found;
+}
+
+/// The first row of each vertex.
+std::vector<std::uint32_t> first_rows(const Triangulation3& triangulation) {
+  const auto vertex_of_row = triangulation.vertex_of_row();
+  std::vector<std::uint32_t> rows(triangulation.points().size());
+  for (std::size_t row = vertex_of_row.size(); row-- > 0;)
+    rows[index(vertex_of_row[row])] = static_cast<std::uint32_t>(row);
+  return rows;
+}
+
+void Pipeline::finish(const Triangulation3& triangulation,
+                      const Circumspheres& spheres,
+                      std::span<const LocatedTriangle> triangles) {
+  std::vector<Triangle> corners(triangles.size());
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    corners[t] = triangles[t].corners;
+    const DelaunayTriangle triangle(triangulation, spheres, triangles[t].facet);
+    result_.lambda.push_back(std::sqrt(triangle.squared_lambda_lower()));
+  }
+  const auto oriented = orient(triangulation.points(), corners);
+
+  std::vector<IndexedTriangle> vertices(triangles.size());
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    for (std::size_t i = 0; i < 3; ++i)
+      vertices[t][i] = static_cast<std::uint32_t>(oriented.triangles[t][i]);
+  result_.surface = check_surface(triangulation.points(), vertices);
+
+  const std::vector<std::uint32_t> row = first_rows(triangulation);
+  for (std::uint32_t& v : result_.surface.unused_vertices) v = row[v];
+  std::sort(result_.surface.unused_vertices.begin(),
+            result_.surface.unused_vertices.end());
+  for (const VertexId v : dropped_)
+    result_.dropped_rows.push_back(row[index(v)]);
+  std::sort(result_.dropped_rows.begin(), result_.dropped_rows.end());
+  for (const IndexedTriangle& t : vertices)
+    result_.triangles.push_back({row[t[0]], row[t[1]], row[t[2]]});
+}
+
+}  // namespace
+
+std::span<const std::string_view> criterion_names() { return kCriteria; }
+
+Reconstruction reconstruct(std::span<const Point3> points,
+                           const ReconstructOptions& options) {
+  return Pipeline(options).run(points);
+}
+
+}  // namespace umbrella

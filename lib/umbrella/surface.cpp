@@ -1,0 +1,165 @@
+#include "umbrella/surface.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <utility>
+
+#include "umbrella/circumradius_internal.h"
+#include "umbrella/incidence_internal.h"
+
+namespace umbrella {
+namespace {
+
+/// 3 t + i: the side of triangle t opposite its corner i. With ascending
+/// corners sides 0 and 2 run up along their edge, side 1 runs down.
+using Side = std::uint32_t;
+
+constexpr bool runs_up(Side s) { return s % 3 != 1; }
+
+/// Which sides lie on one edge.
+class Edges {
+ public:
+  Edges(std::size_t n_vertices, std::span<const Triangle> triangles)
+      : by_edge_(3 * triangles.size()), first_of_(3 * triangles.size()) {
+    // By the low end in one pass, then each short list by the high one.
+    std::vector<std::uint32_t> first(n_vertices + 1);
+    for (const Triangle& t : triangles) {
+      first[index(t[0])] += 2;
+      first[index(t[1])] += 1;
+    }
+    for (std::uint32_t v = 0, sum = 0; v <= n_vertices; ++v)
+      first[v] = sum += first[v];
+    for (Side s = 0; s < by_edge_.size(); ++s) {
+      const auto [low, high] = ends(triangles, s);
+      by_edge_[--first[index(low)]] = {high, s};
+    }
+    for (std::size_t v = 0; v < n_vertices; ++v)
+      std::sort(by_edge_.begin() + first[v], by_edge_.begin() + first[v + 1],
+                [](const Entry& a, const Entry& b) {
+                  return a.high != b.high ? a.high < b.high : a.side < b.side;
+                });
+    for (std::size_t v = 0; v < n_vertices; ++v)
+      for (std::uint32_t i = first[v], group = i; i < first[v + 1]; ++i) {
+        if (by_edge_[i].high != by_edge_[group].high) group = i;
+        first_of_[by_edge_[i].side] = group;
+      }
+  }
+
+  /// Calls visit(Side) for each other side on the same edge. @return how many
+  template <class Visit>
+  std::size_t for_each_partner(Side side, Visit visit) const {
+    std::size_t n = 0;
+    const std::uint32_t first = first_of_[side];
+    for (std::uint32_t i = first;
+         i < by_edge_.size() && first_of_[by_edge_[i].side] == first; ++i) {
+      if (by_edge_[i].side == side) continue;
+      ++n;
+      visit(by_edge_[i].side);
+    }
+    return n;
+  }
+
+ private:
+  struct Entry {
+    VertexId high;
+    Side side;
+  };
+
+  static std::array<VertexId, 2> ends(std::span<const Triangle> triangles,
+                                      Side s) {
+    const Triangle& t = triangles[s / 3];
+    return {t[s % 3 == 0 ? 1 : 0], t[s % 3 == 2 ? 1 : 2]};
+  }
+
+  std::vector<Entry> by_edge_;
+  std::vector<std::uint32_t> first_of_;  // of a side: its edge in by_edge_
+};
+
+double signed_volume(std::span<const Point3> points, const Triangle& t,
+                     const Point3& origin, double scale) {
+  const auto corner = [&](unsigned i) {
+    return scaled_difference(points[index(t[i])], origin, scale);
+  };
+  return dot(corner(0), cross(corner(1), corner(2)));
+}
+
+class Orientation {
+ public:
+  Orientation(std::span<const Point3> points,
+              std::span<const Triangle> triangles)
+      : points_(points),
+        triangles_(triangles),
+        edges_(points.size(), triangles),
+        turned_(triangles.size(), kNotReached),
+        scale_(power_of_two_scale(points)) {}
+
+  OrientedSurface run() {
+    OrientedSurface result;
+    result.is_closed = !triangles_.empty();
+    for (TriangleIndex t = 0; t < triangles_.size(); ++t) {
+      if (turned_[t] != kNotReached) continue;
+      ++result.n_components;
+      spread(t, result.is_closed);
+    }
+    for (TriangleIndex t = 0; t < triangles_.size(); ++t) {
+      result.triangles.push_back(triangles_[t]);
+      if (turned_[t] == 1)
+        std::swap(result.triangles[t][1], result.triangles[t][2]);
+    }
+    return result;
+  }
+
+ private:
+  static constexpr std::uint8_t kNotReached = 2;
+
+  /// Orients the component of `start`.
+  void spread(TriangleIndex start, bool& is_closed) {
+    const Point3& origin = points_[index(triangles_[start][0])];
+    double volume = 0;
+    component_ = {start};
+    turned_[start] = 0;
+    for (std::size_t next = 0; next < component_.size(); ++next) {
+      const TriangleIndex t = component_[next];
+      const double part = signed_volume(points_, triangles_[t], origin, scale_);
+      volume += turned_[t] == 1 ? -part : part;
+      for (std::uint32_t i = 0; i < 3; ++i)
+        is_closed = carry_over(3 * t + i) && is_closed;
+    }
+    if (volume >= 0) return;
+    for (const TriangleIndex t : component_) turned_[t] ^= 1U;
+  }
+
+  /// Takes the orientation over an edge. @return whether the edge has two
+  ///   triangles with opposite sense
+  bool carry_over(Side side) {
+    bool agrees = true;
+    const bool up = runs_up(side) != (turned_[side / 3] == 1);
+    const std::size_t n = edges_.for_each_partner(side, [&](Side partner) {
+      std::uint8_t& turned = turned_[partner / 3];
+      const std::uint8_t wanted = runs_up(partner) == up ? 1 : 0;
+      if (turned == kNotReached) {
+        turned = wanted;
+        component_.push_back(partner / 3);
+      }
+      agrees = agrees && turned == wanted;
+    });
+    return agrees && n == 1;
+  }
+
+  std::span<const Point3> points_;
+  std::span<const Triangle> triangles_;
+  Edges edges_;
+  std::vector<std::uint8_t> turned_;  // 1: against its ascending corners
+  double scale_;
+  std::vector<TriangleIndex> component_;
+};
+
+}  // namespace
+
+OrientedSurface orient(std::span<const Point3> points,
+                       std::span<const Triangle> triangles) {
+  return Orientation(points, triangles).run();
+}
+
+}  // namespace umbrella
