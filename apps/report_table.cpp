@@ -67,8 +67,8 @@ std::string verdict(const Row& row) {
 // The column's cells, one a row; none if all are empty.
 std::vector<std::string> cells_of(const Column& column,
                                   const std::vector<Row>& rows) {
-  std::vector<std::string> cells;
-  for (const Row& row : rows) cells.push_back(column.cell(row));
+  std::vector<std::string> cells(rows.size());
+  std::ranges::transform(rows, cells.begin(), column.cell);
   const auto is_empty = [](const std::string& s) { return s.empty(); };
   if (std::ranges::all_of(cells, is_empty)) return {};
   for (std::string& cell : cells)
@@ -102,7 +102,7 @@ std::string render(const std::vector<Row>& rows,
 
 json read_report(const std::string& path) {
   std::ifstream file(path);
-  const json report = json::parse(file, nullptr, /*allow_exceptions=*/false);
+  json report = json::parse(file, nullptr, /*allow_exceptions=*/false);
   if (!report.is_object())
     throw std::invalid_argument(path + ": not the report of a run");
   return report;

@@ -80,7 +80,7 @@ Points cocircular(std::size_t n) {
       return std::pair(y.real(), y.imag()) < std::pair(z.real(), z.imag());
     };
     std::ranges::sort(next, less);
-    next.erase(std::ranges::unique(next).begin(), next.end());
+    next.erase(std::unique(next.begin(), next.end()), next.end());
     circle = std::move(next);
     if (circle.size() >= n) break;
   }

@@ -57,7 +57,7 @@ check_tidy() {
   sources | grep -E '^(lib|apps)/.*\.cpp$' |
     xargs --max-args=1 --max-procs="$(nproc)" \
       clang-tidy -p build/clang --quiet 2>&1 |
-    sed -E '/^[0-9]+ warnings? generated\.$/d'
+    sed -E '/^[0-9]+ (warnings?|errors?)( and [0-9]+ errors?)? generated\.$/d'
 }
 
 gates=("${@:-${ALL_GATES[@]}}")

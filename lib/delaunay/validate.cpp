@@ -233,8 +233,8 @@ std::size_t n_edges(const AnyClaim& s) {
     }
   }
   std::ranges::sort(edges);
-  return static_cast<std::size_t>(std::ranges::unique(edges).begin() -
-                                  edges.begin());
+  const auto end = std::unique(edges.begin(), edges.end());
+  return static_cast<std::size_t>(end - edges.begin());
 }
 
 // The complex with kInfinite is a sphere of the dimension: V - E + F = 2 in

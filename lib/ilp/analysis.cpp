@@ -29,21 +29,21 @@ const Lesson& Analyzer::analyze(const Propagator& propagator,
 void Analyzer::find_first_uip(const Conflict& conflict) {
   conflict_level_ = 0;
   for (const Literal l : conflict.literals)
-    conflict_level_ = std::max(conflict_level_, propagator_->level(l.var()));
+    conflict_level_ = std::max(conflict_level_, assignment().level(l.var()));
   assert(conflict_level_ > 0);
 
   n_unresolved_ = 0;
   lesson_.literals.emplace_back();
   derivations_->use(propagator_->origin(conflict.reason));
   see(conflict.literals);
-  auto l = propagator_->trail().end();
+  auto l = assignment().trail().end();
   for (;;) {
     do {
       --l;
     } while (!is_seen_[index(l->var())] ||
-             propagator_->level(l->var()) != conflict_level_);
+             assignment().level(l->var()) != conflict_level_);
     if (--n_unresolved_ == 0) break;
-    derivations_->use(propagator_->origin(propagator_->reason(l->var())));
+    derivations_->use(propagator_->origin(assignment().reason(l->var())));
     explanation_.clear();
     propagator_->explain(*l, explanation_);
     see(explanation_);
@@ -56,7 +56,7 @@ void Analyzer::see(std::span<const Literal> literals) {
     if (is_seen_[index(l.var())]) continue;
     is_seen_[index(l.var())] = 1;
     seen_.push_back(l.var());
-    const std::uint32_t level = propagator_->level(l.var());
+    const std::uint32_t level = assignment().level(l.var());
     if (level == 0) {
       derivations_->use(Antecedent::value_of(l.var()));
     } else if (level == conflict_level_) {
@@ -71,7 +71,7 @@ void Analyzer::see(std::span<const Literal> literals) {
 void Analyzer::minimize() {
   levels_.clear();
   for (const Literal l : lesson_.literals)
-    levels_.push_back(propagator_->level(l.var()));
+    levels_.push_back(assignment().level(l.var()));
   std::ranges::sort(levels_);
   std::erase_if(lesson_.literals,
                 [this, first = lesson_.literals.front()](Literal l) {
@@ -102,14 +102,14 @@ bool Analyzer::is_implied_by_rest(Literal l) {
 // clause. False if l is a decision, or owes to a level that the clause lacks
 // and so must owe to another decision.
 bool Analyzer::expand(Literal l) {
-  const Reason reason = propagator_->reason(l.var());
+  const Reason reason = assignment().reason(l.var());
   if (reason.kind == Reason::Kind::None) return false;
   derivations_->use(propagator_->origin(reason));
   explanation_.clear();
   propagator_->explain(l, explanation_);
   for (const Literal e : explanation_) {
     if (is_seen_[index(e.var())]) continue;
-    const std::uint32_t level = propagator_->level(e.var());
+    const std::uint32_t level = assignment().level(e.var());
     if (level == 0) {
       derivations_->use(Antecedent::value_of(e.var()));
     } else if (std::ranges::binary_search(levels_, level)) {
@@ -128,7 +128,7 @@ void Analyzer::find_level_and_glue() {
   std::vector<Literal>& literals = lesson_.literals;
   levels_.clear();
   for (const Literal l : literals)
-    levels_.push_back(propagator_->level(l.var()));
+    levels_.push_back(assignment().level(l.var()));
   lesson_.level = 0;
   if (literals.size() > 1) {
     const auto second = std::max_element(levels_.begin() + 1, levels_.end());
@@ -149,7 +149,7 @@ class CoreFinder {
   CoreFinder(const Propagator& propagator, const Derivations& derivations)
       : propagator_(propagator),
         derivations_(derivations),
-        is_seen_(propagator.n_variables(), false) {}
+        is_seen_(propagator.assignment().n_variables(), false) {}
 
   Core run(const Conflict& conflict) {
     meet(propagator_.origin(conflict.reason));
@@ -177,7 +177,7 @@ class CoreFinder {
       constraints_.insert(a.constraint());
     } else if (a.is_value()) {
       const VarId v{a.index()};
-      meet(Literal(v, propagator_.holds(Literal(v, true))));
+      meet(Literal(v, propagator_.assignment().holds(Literal(v, true))));
     } else if (a.is_learned() && derivations_.is_complete() &&
                seen_learned_.insert(a.index()).second) {
       learned_.push_back(a);
@@ -187,9 +187,10 @@ class CoreFinder {
   void expand_literal() {
     const Literal l = literals_.back();
     literals_.pop_back();
-    const Reason reason = propagator_.reason(l.var());
+    const Reason reason = propagator_.assignment().reason(l.var());
     if (reason.kind == Reason::Kind::None) {
-      if (propagator_.level(l.var()) > 0) core_.assumptions.push_back(l);
+      if (propagator_.assignment().level(l.var()) > 0)
+        core_.assumptions.push_back(l);
       return;
     }
     meet(propagator_.origin(reason));

@@ -34,6 +34,7 @@ class Analyzer {
                         Derivations& derivations);
 
  private:
+  const Assignment& assignment() const { return propagator_->assignment(); }
   void find_first_uip(const Conflict& conflict);
   void see(std::span<const Literal> literals);
   void minimize();

@@ -1,6 +1,7 @@
 #include "ilp/problem.h"
 
 #include <algorithm>
+#include <numeric>
 #include <stdexcept>
 
 namespace ilp {
@@ -55,6 +56,26 @@ bool ring_holds(std::span<const Spoke> ring, bool optional,
   return has_simple_degrees(spokes) && is_one_cycle(spokes);
 }
 
+// Two nodes for each room: it lies on the first side, on the second. A wall
+// joins what agrees with it; no room may be joined to its own opposite.
+bool sides_hold(std::span<const Wall> walls, const Model& model) {
+  std::vector<std::size_t> parent(4 * walls.size());
+  std::iota(parent.begin(), parent.end(), std::size_t{0});
+  const auto root = [&parent](std::size_t node) {
+    while (parent[node] != node) node = parent[node] = parent[parent[node]];
+    return node;
+  };
+  for (const Wall& w : walls) {
+    const std::size_t flip = model[index(w.var)] != w.inverted ? 1 : 0;
+    for (const std::size_t side : {0, 1})
+      parent[root(2 * std::size_t{w.a} + side)] =
+          root(2 * std::size_t{w.b} + (side ^ flip));
+  }
+  return std::ranges::none_of(walls, [&root](const Wall& w) {
+    return root(2 * std::size_t{w.a}) == root(2 * std::size_t{w.a} + 1);
+  });
+}
+
 std::string name(const char* kind, std::size_t i) {
   return std::string(kind) + " " + std::to_string(i);
 }
@@ -89,6 +110,18 @@ ConstraintId Problem::add_ring(std::span<const Spoke> spokes, bool optional) {
   const ConstraintId id = add_row(rings_, spokes, ConstraintKind::Ring);
   is_optional_.push_back(optional);
   return id;
+}
+
+ConstraintId Problem::add_sides(std::span<const Wall> walls) {
+  ++n_checks_;
+  for (const Wall& w : walls) {
+    check_distinct(w.var);
+    if (std::max(w.a, w.b) >= 2 * walls.size())
+      throw std::invalid_argument("ilp: wall " + std::to_string(w.a) + " " +
+                                  std::to_string(w.b) + " of sides " +
+                                  std::to_string(n_sides()));
+  }
+  return add_row(sides_, walls, ConstraintKind::Sides);
 }
 
 ConstraintId Problem::add_clause(std::span<const Literal> literals) {
@@ -127,6 +160,8 @@ std::string first_violation(const Problem& problem, const Model& model) {
   for (std::size_t i = 0; i < problem.n_rings(); ++i)
     if (!ring_holds(problem.ring(i), problem.is_optional(i), model))
       return name("ring", i);
+  for (std::size_t i = 0; i < problem.n_sides(); ++i)
+    if (!sides_hold(problem.sides(i), model)) return name("sides", i);
   for (std::size_t i = 0; i < problem.n_clauses(); ++i)
     if (std::ranges::none_of(problem.clause(i), holds))
       return name("clause", i);

@@ -46,7 +46,16 @@ struct Spoke {
   std::uint32_t b;
 };
 
-enum class ConstraintKind : std::uint8_t { Pair, Ring, Clause };
+/// A variable as a wall between the rooms a and b: true if they lie on
+/// different sides; if inverted, true if they lie on the same side.
+struct Wall {
+  VarId var;
+  std::uint32_t a;
+  std::uint32_t b;
+  bool inverted = false;
+};
+
+enum class ConstraintKind : std::uint8_t { Pair, Ring, Sides, Clause };
 
 /// The index-th constraint of its kind, in the order of their addition.
 struct ConstraintId {
@@ -79,6 +88,14 @@ class Problem {
   /// @throws std::invalid_argument  unknown or repeated variable, wrong node
   ConstraintId add_ring(std::span<const Spoke> spokes, bool optional = false);
 
+  /// There is a way to put each room on one of two sides that agrees with all
+  /// walls. A closed surface has it: it parts space into inside and outside.
+  /// So where the variables are triangles between cells this says nothing new,
+  /// but what search would find out slowly.
+  /// @param walls  rooms below 2 walls.size()
+  /// @throws std::invalid_argument  unknown or repeated variable, wrong room
+  ConstraintId add_sides(std::span<const Wall> walls);
+
   /// At least one of the literals holds.
   /// @throws std::invalid_argument  unknown variable
   ConstraintId add_clause(std::span<const Literal> literals);
@@ -89,10 +106,12 @@ class Problem {
   std::size_t n_variables() const { return mark_.size(); }
   std::size_t n_pairs() const { return pairs_.size(); }
   std::size_t n_rings() const { return rings_.size(); }
+  std::size_t n_sides() const { return sides_.size(); }
   std::size_t n_clauses() const { return clauses_.size(); }
   std::span<const VarId> pair(std::size_t i) const { return pairs_[i]; }
   std::span<const Spoke> ring(std::size_t i) const { return rings_[i]; }
   bool is_optional(std::size_t ring) const { return is_optional_[ring]; }
+  std::span<const Wall> sides(std::size_t i) const { return sides_[i]; }
   std::span<const Literal> clause(std::size_t i) const { return clauses_[i]; }
   std::span<const Literal> fixed() const { return fixed_; }
 
@@ -102,6 +121,7 @@ class Problem {
 
   Rows<VarId> pairs_;
   Rows<Spoke> rings_;
+  Rows<Wall> sides_;
   Rows<Literal> clauses_;
   std::vector<bool> is_optional_;
   std::vector<Literal> fixed_;

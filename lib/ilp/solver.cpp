@@ -49,6 +49,7 @@ class Solver::Search {
         derivations_(kMaxDerivationItems),
         n_pairs_(static_cast<std::uint32_t>(problem.n_pairs())),
         n_rings_(static_cast<std::uint32_t>(problem.n_rings())),
+        n_sides_(static_cast<std::uint32_t>(problem.n_sides())),
         n_clauses_(static_cast<std::uint32_t>(problem.n_clauses())),
         model_(problem.n_variables(), false) {}
 
@@ -76,7 +77,7 @@ class Solver::Search {
     start(assumptions, limits);
     for (;;) {
       if (!propagator_.propagate()) {
-        if (propagator_.n_levels() == 0) return refuted();
+        if (values().n_levels() == 0) return refuted();
         if (statistics_.conflicts == max_conflicts_) return stopped();
         learn();
       } else if (is_out_of_time()) {
@@ -107,6 +108,8 @@ class Solver::Search {
   }
 
  private:
+  const Assignment& values() const { return propagator_.assignment(); }
+
   enum class Step { Decided, Complete, Refuted };
 
   void check_known(std::span<const Literal> literals) const {
@@ -119,7 +122,7 @@ class Solver::Search {
   // Keeps the levels that the new assumptions share with the old decisions.
   void start(std::span<const Literal> assumptions, const Limits& limits) {
     std::uint32_t n_shared = 0;
-    while (n_shared < propagator_.n_levels() && n_shared < assumptions.size() &&
+    while (n_shared < values().n_levels() && n_shared < assumptions.size() &&
            decisions_[n_shared] == assumptions[n_shared])
       ++n_shared;
     backtrack(n_shared);
@@ -140,9 +143,9 @@ class Solver::Search {
   }
 
   void backtrack(std::uint32_t level) {
-    if (level >= propagator_.n_levels()) return;
-    const std::size_t n_kept = propagator_.begin_of_level(level + 1);
-    for (const Literal l : propagator_.trail().subspan(n_kept))
+    if (level >= values().n_levels()) return;
+    const std::size_t n_kept = values().begin_of_level(level + 1);
+    for (const Literal l : values().trail().subspan(n_kept))
       order_.reopen(l.var());
     propagator_.backtrack(level);
     decisions_.resize(level);
@@ -183,24 +186,24 @@ class Solver::Search {
   }
 
   Step decide() {
-    while (propagator_.n_levels() < assumptions_.size()) {
-      const Literal a = assumptions_[propagator_.n_levels()];
-      if (propagator_.holds(!a)) {
+    while (values().n_levels() < assumptions_.size()) {
+      const Literal a = assumptions_[values().n_levels()];
+      if (values().holds(!a)) {
         failed_assumption_ = a;
         refutation_ = {{}, {!a}};
         return Step::Refuted;
       }
       open_level(a);
-      if (!propagator_.holds(a)) {
-        propagator_.assign(a, {});
+      if (!values().holds(a)) {
+        propagator_.decide(a);
         return Step::Decided;
       }
     }
     const VarId next =
-        order_.next([this](VarId v) { return propagator_.is_open(v); });
+        order_.next([this](VarId v) { return values().is_open(v); });
     if (index(next) == model_.size()) return Step::Complete;
     open_level(Literal(next, false));
-    propagator_.assign(Literal(next, false), {});
+    propagator_.decide(Literal(next, false));
     ++statistics_.decisions;
     return Step::Decided;
   }
@@ -215,8 +218,7 @@ class Solver::Search {
   }
 
   Status found() {
-    for (const Literal l : propagator_.trail())
-      model_[index(l.var())] = l.value();
+    for (const Literal l : values().trail()) model_[index(l.var())] = l.value();
     return Status::Feasible;
   }
 
@@ -237,6 +239,8 @@ class Solver::Search {
       all.push_back({ConstraintKind::Pair, i});
     for (std::uint32_t i = 0; i < n_rings_; ++i)
       all.push_back({ConstraintKind::Ring, i});
+    for (std::uint32_t i = 0; i < n_sides_; ++i)
+      all.push_back({ConstraintKind::Sides, i});
     for (std::uint32_t i = 0; i < n_clauses_; ++i)
       all.push_back({ConstraintKind::Clause, i});
     return all;
@@ -248,6 +252,7 @@ class Solver::Search {
   Derivations derivations_;
   std::uint32_t n_pairs_;
   std::uint32_t n_rings_;
+  std::uint32_t n_sides_;
   std::uint32_t n_clauses_;
 
   Branching branching_ = Branching::Adaptive;

@@ -8,6 +8,7 @@
 /// (docs/math.md, "Integer stage").
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -37,51 +38,66 @@ struct WideInt {
 
   friend constexpr WideInt operator+(const WideInt& a, const WideInt& b) {
     WideInt sum;
-    Uint128 carry = 0;
+    std::uint64_t carry = 0;
     for (std::size_t i = 0; i < kLimbs; ++i) {
-      carry += Uint128{a.limb[i]} + b.limb[i];
-      sum.limb[i] = static_cast<std::uint64_t>(carry);
-      carry >>= 64U;
+      const Uint128 s = Uint128{a.limb[i]} + b.limb[i] + carry;
+      sum.limb[i] = static_cast<std::uint64_t>(s);
+      carry = static_cast<std::uint64_t>(s >> 64U);
     }
     return sum;
   }
 
   friend constexpr WideInt operator-(const WideInt& a, const WideInt& b) {
     WideInt difference;
-    Uint128 borrow = 0;
+    std::uint64_t borrow = 0;
     for (std::size_t i = 0; i < kLimbs; ++i) {
       const Uint128 d = Uint128{a.limb[i]} - b.limb[i] - borrow;
       difference.limb[i] = static_cast<std::uint64_t>(d);
-      borrow = (d >> 64U) & 1U;
+      borrow = static_cast<std::uint64_t>(d >> 64U) & 1U;
     }
     return difference;
   }
 };
 
-/// Exact. The unsigned product, less 2^(64 K) b for a negative a and
-/// 2^(64 L) a for a negative b.
+/// product -= 2^(64 kLow) (x & mask)
+template <std::size_t kLow, std::size_t kLimbs, std::size_t L>
+constexpr void subtract_masked(WideInt<kLimbs>& product, const WideInt<L>& x,
+                               std::uint64_t mask) {
+  std::uint64_t borrow = 0;
+  for (std::size_t i = 0; i < L; ++i) {
+    const Uint128 d =
+        Uint128{product.limb[kLow + i]} - (x.limb[i] & mask) - borrow;
+    product.limb[kLow + i] = static_cast<std::uint64_t>(d);
+    borrow = static_cast<std::uint64_t>(d >> 64U) & 1U;
+  }
+}
+
+/// Exact. The top limb of each factor counts as a signed digit: the unsigned
+/// product, less 2^(64 K) b for a negative a and 2^(64 L) a for a negative b.
 template <std::size_t K, std::size_t L>
 constexpr WideInt<K + L> operator*(const WideInt<K>& a, const WideInt<L>& b) {
   WideInt<K + L> product{};
-  for (std::size_t i = 0; i < K; ++i) {
-    Uint128 t = 0;
-    for (std::size_t j = 0; j < L; ++j) {
-      t += Uint128{a.limb[i]} * b.limb[j] + product.limb[i + j];
-      product.limb[i + j] = static_cast<std::uint64_t>(t);
-      t >>= 64U;
-    }
-    product.limb[i + L] = static_cast<std::uint64_t>(t);
+  if constexpr (K == 1 && L == 1) {
+    const auto p = Int128{static_cast<std::int64_t>(a.limb[0])} *
+                   static_cast<std::int64_t>(b.limb[0]);
+    product.limb = {static_cast<std::uint64_t>(p),
+                    static_cast<std::uint64_t>(p >> 64)};
+    return product;
   }
-  const auto subtract_above = [&product](std::size_t low, const auto& x) {
-    Uint128 borrow = 0;
-    for (std::size_t i = 0; i < x.limb.size(); ++i) {
-      const Uint128 d = Uint128{product.limb[low + i]} - x.limb[i] - borrow;
-      product.limb[low + i] = static_cast<std::uint64_t>(d);
-      borrow = (d >> 64U) & 1U;
+  for (std::size_t i = 0; i < K; ++i) {
+    std::uint64_t carry = 0;
+    for (std::size_t j = 0; j < L; ++j) {
+      const Uint128 t =
+          Uint128{a.limb[i]} * b.limb[j] + product.limb[i + j] + carry;
+      product.limb[i + j] = static_cast<std::uint64_t>(t);
+      carry = static_cast<std::uint64_t>(t >> 64U);
     }
-  };
-  if (a.is_negative()) subtract_above(K, b);
-  if (b.is_negative()) subtract_above(L, a);
+    product.limb[i + L] = carry;
+  }
+  const std::uint64_t a_mask = a.is_negative() ? ~std::uint64_t{0} : 0;
+  const std::uint64_t b_mask = b.is_negative() ? ~std::uint64_t{0} : 0;
+  subtract_masked<K>(product, b, a_mask);
+  subtract_masked<L>(product, a, b_mask);
   return product;
 }
 
@@ -106,6 +122,12 @@ constexpr WideInt<kLimbs> to_integer(double x, int unit) {
   const auto [mantissa, exponent] = decode(x);
   WideInt<kLimbs> magnitude{};
   const int shift = exponent - unit;
+  if constexpr (kLimbs == 1) {
+    // No branch on what is random in the data. -53 < shift < 12, or x is 0.
+    const auto sign = std::bit_cast<std::uint64_t>(x) >> 63U;
+    const auto right = static_cast<unsigned>(11 - shift) % 64;
+    return {{(((mantissa << 11U) >> right) ^ -sign) + sign}};
+  }
   if (shift <= 0) {
     if (shift > -64) magnitude.limb[0] = mantissa >> -shift;
   } else if (mantissa != 0) {
@@ -127,10 +149,8 @@ struct BitSpan {
   constexpr void add(double x) {
     const auto [mantissa, exponent] = decode(x);
     if (mantissa == 0) return;
-    const int lowest = exponent + std::countr_zero(mantissa);
-    const int highest = exponent + 64 - std::countl_zero(mantissa);
-    if (lowest < low) low = lowest;
-    if (highest > high) high = highest;
+    low = std::min(low, exponent + std::countr_zero(mantissa));
+    high = std::max(high, exponent + 64 - std::countl_zero(mantissa));
   }
 };
 

@@ -23,7 +23,7 @@ std::vector<Edge> as_oriented_curves(const delaunay::Triangulation2& vertices,
 
 struct CurveOptions {
   bool close = true;  ///< else what the filter picks is the result
-  CurveClosingOptions closing;
+  CurveClosingOptions closing = {};
 };
 
 /// The counts of the report, under its names.

@@ -40,6 +40,7 @@ class Closer {
 
   std::vector<Region> regions() const;
   bool close(const Region& region);
+  bool is_odd(const Region& region) const;
   ilp::Problem program(const Region& region) const;
   std::vector<ilp::VarId> worst_first(const Region& region) const;
   bool cut_pieces(const Region& region, ilp::Solver& solver);
@@ -183,7 +184,18 @@ bool Closer::cut_pieces(const Region& region, ilp::Solver& solver) {
   return found;
 }
 
+/// Every edge ends twice: an odd number of ends cannot be made up.
+bool Closer::is_odd(const Region& region) const {
+  unsigned n_ends = 0;
+  for (const VertexId v : region.vertices) n_ends += degree_[index(v)];
+  return n_ends % 2 != 0;
+}
+
 bool Closer::close(const Region& region) {
+  if (is_odd(region)) {
+    ++report_.infeasible;
+    return false;
+  }
   const ilp::Problem problem = program(region);
   const std::vector<ilp::VarId> order = worst_first(region);
   ilp::Solver solver(problem);

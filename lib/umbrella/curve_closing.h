@@ -17,8 +17,10 @@ enum class CurveWeight { Length, LambdaLower };
 
 struct CurveClosingOptions {
   CurveWeight weight = CurveWeight::Length;
-  /// Conflicts of one search; the same on every run.
-  std::uint64_t conflicts = 100'000;
+  /// Conflicts of one search; the same on every run. Where counting arguments
+  /// rule a solution out the search is no match for them: growing the region
+  /// soon is better, docs/curve.md "Closing".
+  std::uint64_t conflicts = 2'000;
   /// How often a region that has no solution is grown by a ring.
   unsigned max_growth = 8;
   /// Closed curves of at most max(piece_edges, piece_part * n) edges that pass

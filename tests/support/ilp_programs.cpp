@@ -13,6 +13,7 @@ using ilp::Model;
 using ilp::Problem;
 using ilp::Spoke;
 using ilp::VarId;
+using ilp::Wall;
 
 namespace {
 
@@ -50,6 +51,16 @@ std::vector<VarId> random_subset(std::mt19937_64& rng, std::uint32_t n,
   std::vector<VarId> vars = random_order(rng, n);
   vars.resize(std::min<std::size_t>(size, n));
   return vars;
+}
+
+std::vector<Wall> random_walls(std::mt19937_64& rng, std::uint32_t n) {
+  std::vector<Wall> walls;
+  const std::uint32_t n_rooms = 1 + below(rng, 6);
+  for (const VarId v : random_subset(rng, n, (n_rooms + 1) / 2 + below(rng, 8)))
+    walls.push_back(
+        {v, below(rng, n_rooms), below(rng, n_rooms), below(rng, 2) == 0});
+  if (2 * walls.size() < n_rooms) walls.clear();
+  return walls;
 }
 
 }  // namespace
@@ -166,6 +177,8 @@ Problem random_program(std::mt19937_64& rng, std::uint32_t max_variables) {
     if (2 * spokes.size() < n_nodes) continue;
     problem.add_ring(spokes, below(rng, 3) == 0);
   }
+  for (std::uint32_t k = below(rng, 3); k > 0; --k)
+    problem.add_sides(random_walls(rng, n));
   add_random_extras(rng, problem);
   return problem;
 }
@@ -183,6 +196,7 @@ Problem part_of(const Problem& problem,
     if (kind == ConstraintKind::Pair) part.add_pair(problem.pair(i));
     if (kind == ConstraintKind::Ring)
       part.add_ring(problem.ring(i), problem.is_optional(i));
+    if (kind == ConstraintKind::Sides) part.add_sides(problem.sides(i));
     if (kind == ConstraintKind::Clause) part.add_clause(problem.clause(i));
   }
   return with_fixed(part, problem.fixed());

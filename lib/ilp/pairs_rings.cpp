@@ -1,0 +1,235 @@
+// A pair counts: how many of its variables are open, how many are true, and the
+// XOR of either set, so that the last open variable, or the mate of a true one,
+// is known without a search. A ring keeps nothing of its own: its nodes are
+// pairs, so a walk from mate to mate along true spokes tells whether they close
+// a cycle. A literal may hold before it is counted; what is forced depends on
+// counted literals only, and explain() finds them again by their positions.
+
+#include "ilp/pairs_rings.h"
+
+#include <algorithm>
+
+namespace ilp {
+namespace {
+
+Reason pair_reason(std::uint32_t p) { return {Reason::Kind::Pair, p, {}}; }
+
+template <class Entry>
+struct Occurrence {
+  VarId var;
+  Entry entry;
+};
+
+template <class Entry>
+Rows<Entry> by_variable(std::size_t n_variables,
+                        const std::vector<Occurrence<Entry>>& all) {
+  return Rows<Entry>::grouped(
+      n_variables, all.size(),
+      [&all](std::size_t i) { return index(all[i].var); },
+      [&all](std::size_t i) { return all[i].entry; });
+}
+
+}  // namespace
+
+PairsAndRings::PairsAndRings(const Problem& problem)
+    : links_(link(problem)),
+      pairs_(links_.pairs.size()),
+      is_on_cycle_(problem.n_variables(), 0) {
+  std::vector<Occurrence<std::uint32_t>> pairs;
+  pairs.reserve(links_.pairs.n_items());
+  for (std::uint32_t p = 0; p < links_.pairs.size(); ++p)
+    for (const VarId v : links_.pairs[p]) {
+      pairs.push_back({v, p});
+      ++pairs_[p].n_open;
+      pairs_[p].open_xor ^= static_cast<std::uint32_t>(v);
+    }
+  pairs_of_ = by_variable(problem.n_variables(), pairs);
+
+  std::vector<Occurrence<Membership>> rings;
+  rings.reserve(links_.rings.n_items());
+  for (std::uint32_t r = 0; r < links_.rings.size(); ++r)
+    for (const LinkedSpoke& s : links_.rings[r])
+      rings.push_back({s.var, {r, s.pair_a, s.pair_b}});
+  rings_of_ = by_variable(problem.n_variables(), rings);
+}
+
+bool PairsAndRings::start(Assignment& assignment, Conflict& conflict) {
+  for (std::uint32_t p = 0; p < pairs_.size(); ++p)
+    if (pairs_[p].n_open == 1 && !propagate_pair(p, assignment, conflict))
+      return false;
+  return true;
+}
+
+bool PairsAndRings::propagate(Literal l, Assignment& assignment,
+                              Conflict& conflict) {
+  if (count(l))
+    for (const std::uint32_t p : pairs_of_[index(l.var())])
+      if (!propagate_pair(p, assignment, conflict)) return false;
+  if (!l.value()) return true;
+  for (const Membership& m : rings_of_[index(l.var())])
+    if (closes_cycle(l.var(), m) &&
+        !clear_ring({Reason::Kind::Ring, m.ring, l.var()}, assignment,
+                    conflict))
+      return false;
+  return true;
+}
+
+// Returns whether some pair may now force a variable.
+bool PairsAndRings::count(Literal l) {
+  const auto id = static_cast<std::uint32_t>(l.var());
+  bool may_force = false;
+  for (const std::uint32_t p : pairs_of_[id]) {
+    PairCount& c = pairs_[p];
+    --c.n_open;
+    c.open_xor ^= id;
+    if (l.value()) {
+      ++c.n_true;
+      c.true_xor ^= id;
+    }
+    may_force |= c.n_open == 1 || c.n_true == 2;
+  }
+  return may_force;
+}
+
+void PairsAndRings::undo(Literal l) {
+  const auto id = static_cast<std::uint32_t>(l.var());
+  for (const std::uint32_t p : pairs_of_[id]) {
+    PairCount& c = pairs_[p];
+    ++c.n_open;
+    c.open_xor ^= id;
+    if (l.value()) {
+      --c.n_true;
+      c.true_xor ^= id;
+    }
+  }
+}
+
+bool PairsAndRings::propagate_pair(std::uint32_t p, Assignment& assignment,
+                                   Conflict& conflict) const {
+  const PairCount& c = pairs_[p];
+  if (c.n_true == 2)
+    return c.n_open == 0 || clear_pair(p, assignment, conflict);
+  if (c.n_open != 1) return true;
+
+  const Literal last(VarId{c.open_xor}, c.n_true == 1);
+  if (assignment.is_open(last.var())) assignment.assign(last, pair_reason(p));
+  if (assignment.holds(last)) return true;
+  conflict = {pair_reason(p), {}};
+  for (const VarId v : links_.pairs[p])
+    conflict.literals.push_back(assignment.literal(v));
+  return false;
+}
+
+// Two variables are counted as true: all others are false. A third that holds
+// cannot be counted yet, so it comes later in the trail than the two.
+bool PairsAndRings::clear_pair(std::uint32_t p, Assignment& assignment,
+                               Conflict& conflict) const {
+  std::vector<Literal>& trues = conflict.literals;
+  trues.clear();
+  for (const VarId v : links_.pairs[p])
+    if (assignment.is_true(v)) trues.emplace_back(v, true);
+  if (trues.size() > 2) {
+    conflict.reason = pair_reason(p);
+    return false;
+  }
+  for (const VarId v : links_.pairs[p])
+    if (assignment.is_open(v))
+      assignment.assign(Literal(v, false), pair_reason(p));
+  return true;
+}
+
+const PairsAndRings::Membership& PairsAndRings::membership(
+    VarId var, std::uint32_t ring) const {
+  return *std::ranges::lower_bound(rings_of_[index(var)], ring, {},
+                                   &Membership::ring);
+}
+
+// The true spoke that follows `var` across `pair` on a ring; moves `pair` to
+// its other end.
+VarId PairsAndRings::next_on_ring(std::uint32_t ring, VarId var,
+                                  std::uint32_t& pair) const {
+  const VarId next{pairs_[pair].true_xor ^ static_cast<std::uint32_t>(var)};
+  const Membership& m = membership(next, ring);
+  pair ^= m.pair_a ^ m.pair_b;
+  return next;
+}
+
+bool PairsAndRings::closes_cycle(VarId var, const Membership& m) const {
+  if (pairs_[m.pair_a].n_true != 2) return false;
+  std::uint32_t pair = m.pair_b;
+  VarId v = var;
+  do {
+    if (pairs_[pair].n_true != 2) return false;
+    v = next_on_ring(m.ring, v, pair);
+  } while (v != var);
+  return true;
+}
+
+void PairsAndRings::append_cycle(const Reason& reason,
+                                 std::vector<Literal>& out) const {
+  std::uint32_t pair = membership(reason.on_cycle, reason.index).pair_b;
+  VarId v = reason.on_cycle;
+  do {
+    out.emplace_back(v, true);
+    v = next_on_ring(reason.index, v, pair);
+  } while (v != reason.on_cycle);
+}
+
+// A cycle is closed: all other spokes are false.
+bool PairsAndRings::clear_ring(const Reason& reason, Assignment& assignment,
+                               Conflict& conflict) {
+  const std::span<const LinkedSpoke> spokes = links_.rings[reason.index];
+  cycle_.clear();
+  append_cycle(reason, cycle_);
+  for (const Literal l : cycle_) is_on_cycle_[index(l.var())] = 1;
+  const auto second = std::ranges::find_if(spokes, [&](const LinkedSpoke& s) {
+    return assignment.is_true(s.var) && !is_on_cycle_[index(s.var)];
+  });
+  for (const Literal l : cycle_) is_on_cycle_[index(l.var())] = 0;
+
+  if (second != spokes.end()) {
+    conflict = {reason, cycle_};
+    conflict.literals.emplace_back(second->var, true);
+    return false;
+  }
+  for (const LinkedSpoke& s : spokes)
+    if (assignment.is_open(s.var))
+      assignment.assign(Literal(s.var, false), reason);
+  return true;
+}
+
+void PairsAndRings::explain(Literal l, const Assignment& assignment,
+                            std::vector<Literal>& out) const {
+  const Reason& reason = assignment.reason(l.var());
+  if (reason.kind == Reason::Kind::Ring) {
+    append_cycle(reason, out);
+  } else {
+    explain_pair(l, assignment, out);
+  }
+}
+
+// Two that are true make all others false; else all others decided the last.
+void PairsAndRings::explain_pair(Literal l, const Assignment& assignment,
+                                 std::vector<Literal>& out) const {
+  const std::span<const VarId> vars =
+      links_.pairs[assignment.reason(l.var()).index];
+  const std::uint32_t position = assignment.position(l.var());
+  const std::size_t begin = out.size();
+  for (std::size_t i = 0; !l.value() && i < vars.size(); ++i)
+    if (assignment.is_true(vars[i]) &&
+        assignment.position(vars[i]) < position) {
+      out.emplace_back(vars[i], true);
+      if (out.size() == begin + 2) return;
+    }
+  out.resize(begin);
+  for (const VarId v : vars)
+    if (v != l.var()) out.push_back(assignment.literal(v));
+}
+
+Antecedent PairsAndRings::origin(const Reason& reason) const {
+  return reason.kind == Reason::Kind::Ring
+             ? Antecedent({ConstraintKind::Ring, reason.index})
+             : Antecedent(links_.pair_origin[reason.index]);
+}
+
+}  // namespace ilp

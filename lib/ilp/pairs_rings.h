@@ -1,0 +1,71 @@
+/// @file
+/// What pairs and rings force.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "ilp/antecedents.h"
+#include "ilp/assignment.h"
+#include "ilp/links.h"
+
+namespace ilp {
+
+/// All rules but one: that a ring has a true spoke at all is left to a clause.
+class PairsAndRings {
+ public:
+  explicit PairsAndRings(const Problem& problem);
+
+  /// Assigns what pairs of one variable force. @return false on a conflict
+  bool start(Assignment& assignment, Conflict& conflict);
+
+  /// Counts a literal that holds, once, and assigns what follows.
+  /// @return false on a conflict
+  bool propagate(Literal l, Assignment& assignment, Conflict& conflict);
+  /// Takes back the counting, in reverse order.
+  void undo(Literal l);
+
+  /// Appends the literals that imply l by its reason, a pair or a ring.
+  void explain(Literal l, const Assignment& assignment,
+               std::vector<Literal>& out) const;
+  Antecedent origin(const Reason& reason) const;
+
+ private:
+  // The variables of a pair that are not counted yet, and those that are
+  // counted as true. One left in a set is the set's XOR.
+  struct PairCount {
+    std::uint32_t n_open = 0;
+    std::uint32_t n_true = 0;
+    std::uint32_t open_xor = 0;
+    std::uint32_t true_xor = 0;
+  };
+  // A ring of a variable, and the ends of its spoke there.
+  struct Membership {
+    std::uint32_t ring;
+    std::uint32_t pair_a;
+    std::uint32_t pair_b;
+  };
+
+  bool count(Literal l);
+  bool propagate_pair(std::uint32_t p, Assignment& assignment,
+                      Conflict& conflict) const;
+  bool clear_pair(std::uint32_t p, Assignment& assignment,
+                  Conflict& conflict) const;
+  bool closes_cycle(VarId var, const Membership& m) const;
+  bool clear_ring(const Reason& reason, Assignment& assignment,
+                  Conflict& conflict);
+  void explain_pair(Literal l, const Assignment& assignment,
+                    std::vector<Literal>& out) const;
+  const Membership& membership(VarId var, std::uint32_t ring) const;
+  VarId next_on_ring(std::uint32_t ring, VarId var, std::uint32_t& pair) const;
+  void append_cycle(const Reason& reason, std::vector<Literal>& out) const;
+
+  Links links_;
+  std::vector<PairCount> pairs_;
+  Rows<std::uint32_t> pairs_of_;
+  Rows<Membership> rings_of_;
+  std::vector<Literal> cycle_;             // scratch
+  std::vector<std::uint8_t> is_on_cycle_;  // scratch, by variable; 0 at rest
+};
+
+}  // namespace ilp

@@ -1,0 +1,278 @@
+// The laws of the predicates, and their signs against big integers.
+
+#include "predicates/predicates.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <random>
+
+#include "tests/support/exact_oracle.h"
+#include "tests/support/predicate_inputs.h"
+
+namespace {
+
+using inputs::Family;
+using inputs::kFamilies;
+using inputs::Point;
+using inputs::Rng;
+using inputs::Simplex;
+using predicates::incircle;
+using predicates::incircle_perturbed;
+using predicates::insphere;
+using predicates::insphere_perturbed;
+using predicates::orient2d;
+using predicates::orient3d;
+
+int orient2d(const Simplex& s) {
+  return orient2d(s[0].data(), s[1].data(), s[2].data());
+}
+int orient3d(const Simplex& s) {
+  return orient3d(s[0].data(), s[1].data(), s[2].data(), s[3].data());
+}
+int incircle(const Simplex& s) {
+  return incircle(s[0].data(), s[1].data(), s[2].data(), s[3].data());
+}
+int insphere(const Simplex& s) {
+  return insphere(s[0].data(), s[1].data(), s[2].data(), s[3].data(),
+                  s[4].data());
+}
+int incircle_perturbed(const Simplex& s) {
+  return incircle_perturbed(s[0].data(), s[1].data(), s[2].data(), s[3].data());
+}
+int insphere_perturbed(const Simplex& s) {
+  return insphere_perturbed(s[0].data(), s[1].data(), s[2].data(), s[3].data(),
+                            s[4].data());
+}
+
+/// Calls check(simplex) on `trials` draws of each family.
+template <class Check>
+void for_each_input(int trials, unsigned seed, const Check& check) {
+  for (const Family& family : kFamilies) {
+    Rng rng(seed);
+    for (int trial = 0; trial < trials; ++trial) {
+      SCOPED_TRACE(testing::Message() << family.name << ", trial " << trial);
+      check(family.draw(rng));
+      if (testing::Test::HasFailure()) return;
+    }
+  }
+}
+
+void expect_exact(const Simplex& s) {
+  const double* a = s[0].data();
+  const double* b = s[1].data();
+  const double* c = s[2].data();
+  const double* d = s[3].data();
+  const double* e = s[4].data();
+  EXPECT_EQ(orient2d(a, b, c), oracle::orient<2>({a, b, c}));
+  EXPECT_EQ(orient3d(a, b, c, d), oracle::orient<3>({a, b, c, d}));
+  EXPECT_EQ(incircle(a, b, c, d), oracle::in_ball<2>({a, b, c, d}));
+  EXPECT_EQ(insphere(a, b, c, d, e), oracle::in_ball<3>({a, b, c, d, e}));
+}
+
+/// The contracts' preconditions; s[0] and s[1] change places if that helps.
+bool make_positive2d(Simplex& s) {
+  if (orient2d(s) < 0) std::swap(s[0], s[1]);
+  const auto same = [&s](std::size_t i) {
+    return s[i][0] == s[3][0] && s[i][1] == s[3][1];
+  };
+  return orient2d(s) > 0 && !same(0) && !same(1) && !same(2);
+}
+
+bool make_positive3d(Simplex& s) {
+  if (orient3d(s) < 0) std::swap(s[0], s[1]);
+  return orient3d(s) > 0 && s[4] != s[0] && s[4] != s[1] && s[4] != s[2] &&
+         s[4] != s[3];
+}
+
+// A raise of 2^-k units of the height's last place stands for an infinitesimal
+// one: the families below have coordinates of up to 53 bits.
+constexpr unsigned kRaiseBits = 600;
+
+/// Counts the ties that the perturbation broke.
+struct PerturbedCheck {
+  int ties = 0;
+
+  void operator()(Simplex s) {
+    if (make_positive2d(s)) {
+      ties += incircle(s) == 0 ? 1 : 0;
+      EXPECT_EQ(incircle_perturbed(s),
+                oracle::in_ball<2>(
+                    {s[0].data(), s[1].data(), s[2].data(), s[3].data()},
+                    kRaiseBits));
+    }
+    if (make_positive3d(s)) {
+      ties += insphere(s) == 0 ? 1 : 0;
+      EXPECT_EQ(insphere_perturbed(s),
+                oracle::in_ball<3>({s[0].data(), s[1].data(), s[2].data(),
+                                    s[3].data(), s[4].data()},
+                                   kRaiseBits));
+    }
+  }
+};
+
+constexpr std::array<Family, 6> kTies = {{
+    {"small_integers", inputs::small_integers},
+    {"shifted_lattice", inputs::shifted_lattice},
+    {"ulp_grid", inputs::ulp_grid},
+    {"cospherical_integers", inputs::cospherical_integers},
+    {"cocircular_integers", inputs::cocircular_integers},
+    {"rounded_to_sphere", inputs::rounded_to_sphere},
+}};
+
+int broken_ties(int trials, unsigned seed) {
+  PerturbedCheck check;
+  for (const Family& family : kTies) {
+    Rng rng(seed);
+    for (int trial = 0; trial < trials; ++trial) {
+      SCOPED_TRACE(testing::Message() << family.name << ", trial " << trial);
+      check(family.draw(rng));
+    }
+  }
+  return check.ties;
+}
+
+TEST(Orientation, OfTheAxesIsPositive) {
+  const Simplex axes = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {}}};
+  EXPECT_EQ(orient2d(axes), 1);
+  EXPECT_EQ(orient3d(axes), 1);
+}
+
+TEST(InBall, IsPositiveInsideAPositiveSimplex) {
+  Simplex s = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.5, 0.5, 0.5}}};
+  EXPECT_EQ(insphere(s), 1);
+  s[4] = {1, 1, 1};
+  EXPECT_EQ(insphere(s), 0);
+  s[4] = {1, 1, 1 + 0x1p-52};
+  EXPECT_EQ(insphere(s), -1);
+  s[3] = {1, 1, 0};
+  EXPECT_EQ(incircle(s), 0);
+  s[3] = {1, 1 - 0x1p-53, 0};
+  EXPECT_EQ(incircle(s), 1);
+  s[3] = {1, 1 + 0x1p-52, 0};
+  EXPECT_EQ(incircle(s), -1);
+}
+
+TEST(Predicates, AgreeWithBigIntegers) {
+  for_each_input(200, 1, expect_exact);  // 12000 signs
+}
+
+TEST(SlowPredicates, AgreeWithBigIntegers) {
+  for_each_input(20000, 2, expect_exact);  // 1.2 million signs
+}
+
+TEST(Predicates, ChangeSignWhenTwoPointsAreExchanged) {
+  for_each_input(60, 3, [](const Simplex& s) {
+    for (std::size_t i = 0; i < 5; ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        Simplex t = s;
+        std::swap(t[i], t[j]);
+        if (i < 3) {
+          EXPECT_EQ(orient2d(t), -orient2d(s));
+        }
+        if (i < 4) {
+          EXPECT_EQ(orient3d(t), -orient3d(s));
+        }
+        if (i < 4) {
+          EXPECT_EQ(incircle(t), -incircle(s));
+        }
+        EXPECT_EQ(insphere(t), -insphere(s));
+      }
+    }
+  });
+}
+
+TEST(Predicates, KeepTheirSignUnderScalingByPowersOfTwo) {
+  for (const Family& family : kTies) {
+    Rng rng(4);
+    for (int trial = 0; trial < 20; ++trial) {
+      SCOPED_TRACE(testing::Message() << family.name << ", trial " << trial);
+      const Simplex s = family.draw(rng);
+      // Coordinates are multiples of 2^-60 and below 2^40.
+      for (const int exponent : {-1014, -400, -200, -100, 90, 200, 400, 983}) {
+        Simplex t = s;
+        for (Point& p : t)
+          for (double& x : p) x = std::ldexp(x, exponent);
+        EXPECT_EQ(orient2d(t), orient2d(s));
+        EXPECT_EQ(orient3d(t), orient3d(s));
+        EXPECT_EQ(incircle(t), incircle(s));
+        EXPECT_EQ(insphere(t), insphere(s));
+      }
+    }
+  }
+}
+
+TEST(Predicates, KeepTheirSignUnderExactTranslation) {
+  Rng rng(5);
+  for (int trial = 0; trial < 1000; ++trial) {
+    SCOPED_TRACE(testing::Message() << "trial " << trial);
+    const Simplex s = inputs::small_integers(rng);
+    Simplex t = s;
+    const Point offset = {std::ldexp(inputs::below(rng, 1024) - 512, 40),
+                          0x1p51,
+                          std::ldexp(inputs::below(rng, 1024) - 512, 10)};
+    for (Point& p : t)
+      for (std::size_t i = 0; i < 3; ++i) p[i] += offset[i];
+    EXPECT_EQ(orient2d(t), orient2d(s));
+    EXPECT_EQ(orient3d(t), orient3d(s));
+    EXPECT_EQ(incircle(t), incircle(s));
+    EXPECT_EQ(insphere(t), insphere(s));
+  }
+}
+
+TEST(Perturbed, IsTheSignWithConcreteSmallRaises) {
+  EXPECT_GT(broken_ties(300, 6), 500);
+}
+
+TEST(SlowPerturbed, IsTheSignWithConcreteSmallRaises) {
+  EXPECT_GT(broken_ties(10000, 7), 15000);
+}
+
+TEST(Perturbed, KeepsTheSignOfADeterminantThatIsNotZero) {
+  for_each_input(60, 8, [](Simplex s) {
+    if (make_positive2d(s)) {
+      EXPECT_NE(incircle_perturbed(s), 0);
+      if (incircle(s) != 0) {
+        EXPECT_EQ(incircle_perturbed(s), incircle(s));
+      }
+    }
+    if (make_positive3d(s)) {
+      EXPECT_NE(insphere_perturbed(s), 0);
+      if (insphere(s) != 0) {
+        EXPECT_EQ(insphere_perturbed(s), insphere(s));
+      }
+    }
+  });
+}
+
+TEST(Perturbed, IsTheSameForEvenPermutationsOfTheSimplex) {
+  for_each_input(60, 9, [](Simplex s) {
+    if (make_positive2d(s)) {
+      const Simplex t = {s[1], s[2], s[0], s[3], s[4]};
+      EXPECT_EQ(incircle_perturbed(t), incircle_perturbed(s));
+    }
+    if (make_positive3d(s)) {
+      const Simplex t = {s[1], s[0], s[3], s[2], s[4]};
+      const Simplex u = {s[0], s[2], s[3], s[1], s[4]};
+      EXPECT_EQ(insphere_perturbed(t), insphere_perturbed(s));
+      EXPECT_EQ(insphere_perturbed(u), insphere_perturbed(s));
+    }
+  });
+}
+
+// e is inside the sphere of abcd when d is outside that of abce, if those two
+// are on the same side of abc; both inside or both outside otherwise.
+TEST(Perturbed, ChangesSignWhenTheQueryAndACornerAreExchanged) {
+  for_each_input(100, 10, [](Simplex s) {
+    if (!make_positive3d(s)) return;
+    Simplex t = {s[0], s[1], s[2], s[4], s[3]};
+    const int side = orient3d(t);
+    if (side == 0) return;
+    if (side < 0) std::swap(t[0], t[1]);
+    EXPECT_EQ(insphere_perturbed(t), -side * insphere_perturbed(s));
+  });
+}
+
+}  // namespace
