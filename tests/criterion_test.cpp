@@ -38,13 +38,13 @@ std::vector<Triangle> all_triangles(const Triangulation3& t) {
 }
 
 bool is_gabriel(const Triangulation3& t, const Triangle& corners) {
-  const auto [a, b, c] = points_of(t, corners);
-  return std::all_of(t.points().begin(), t.points().end(),
-                     [&](const Point3& p) {
-                       return p == a || p == b || p == c ||
-                              predicates::gabriel_triangle(
-                                  a.data(), b.data(), c.data(), p.data()) >= 0;
-                     });
+  const auto abc = points_of(t, corners);
+  return std::all_of(
+      t.points().begin(), t.points().end(), [&](const Point3& p) {
+        return std::count(abc.begin(), abc.end(), p) > 0 ||
+               predicates::gabriel_triangle(abc[0].data(), abc[1].data(),
+                                            abc[2].data(), p.data()) >= 0;
+      });
 }
 
 TEST(PaperCriterion, AdmitsTheTrianglesWhoseOpenDiametralBallIsEmpty) {

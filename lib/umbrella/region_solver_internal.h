@@ -39,8 +39,8 @@ struct Attempt {
 
 class RegionSolver {
  public:
-  /// @param triangulation, options, surface, is_open  must outlive this object;
-  ///   the last two may change between calls
+  /// @param triangulation, options, surface, is_open  must outlive this
+  ///   object; the last two may change between calls
   RegionSolver(const delaunay::Triangulation3& triangulation,
                const ClosingOptions& options, const WorkingSurface& surface,
                const std::vector<bool>& is_open);
@@ -66,7 +66,6 @@ class RegionSolver {
   void cut(Work& work, const Piece& piece);
   ilp::Limits limits() const;
 
-  const delaunay::Triangulation3& triangulation_;
   const ClosingOptions& options_;
   const WorkingSurface& surface_;
   const std::vector<bool>& is_open_;
