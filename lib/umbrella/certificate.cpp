@@ -1,13 +1,15 @@
-// Everything is read off two sorted lists: the sides of the triangles by edge,
-// and their corners by vertex. Degenerate and repeated triangles are counted,
-// and take part in all the rest as they are.
+// Everything is read off two lists: the sides of the triangles by edge, and
+// their corners by vertex, both put into buckets first. Degenerate and repeated
+// triangles are counted, and take part in all the rest as they are.
 #include "umbrella/certificate.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <compare>
 #include <numeric>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace umbrella {
 namespace {
@@ -21,7 +23,12 @@ class Components {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;
   }
-  void join(std::uint32_t i, std::uint32_t k) { parent_[root(i)] = root(k); }
+  /// @return whether they were apart
+  bool join(std::uint32_t i, std::uint32_t k) {
+    const std::uint32_t a = root(i), b = root(k);
+    parent_[a] = b;
+    return a != b;
+  }
 
  private:
   std::vector<std::uint32_t> parent_;
@@ -39,16 +46,35 @@ void require_rows(
                                     " of " + std::to_string(n_vertices));
 }
 
+/// Puts items into buckets by a key below n_keys, ascending within each.
+/// @return where each bucket begins, and the end
+template <class Item, class Key>
+std::vector<std::uint32_t> sort_into_buckets(std::vector<Item>& items,
+                                             std::size_t n_keys, Key key) {
+  std::vector<std::uint32_t> first(n_keys + 1);
+  for (const Item& item : items) ++first[key(item)];
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<Item> sorted(items.size());
+  for (const Item& item : items) sorted[--first[key(item)]] = item;
+  for (std::size_t k = 0; k < n_keys; ++k)
+    std::sort(sorted.begin() + first[k], sorted.begin() + first[k + 1]);
+  items = std::move(sorted);
+  return first;
+}
+
 /// How often a simplex has the corners of an earlier one.
 template <std::size_t kCorners>
 std::size_t n_repeated(
-    std::span<const std::array<std::uint32_t, kCorners>> simplices) {
+    std::span<const std::array<std::uint32_t, kCorners>> simplices,
+    std::size_t n_vertices) {
   std::vector<std::array<std::uint32_t, kCorners>> sorted(simplices.begin(),
                                                           simplices.end());
   for (auto& s : sorted) std::sort(s.begin(), s.end());
-  std::sort(sorted.begin(), sorted.end());
-  const auto last = std::unique(sorted.begin(), sorted.end());
-  return static_cast<std::size_t>(sorted.end() - last);
+  sort_into_buckets(sorted, n_vertices, [](const auto& s) { return s[0]; });
+  std::size_t n = 0;
+  for (std::size_t i = 1; i < sorted.size(); ++i)
+    n += sorted[i] == sorted[i - 1] ? 1 : 0;
+  return n;
 }
 
 std::vector<std::uint32_t> rows_without(const std::vector<bool>& is_used) {
@@ -63,20 +89,20 @@ struct Side {
   std::uint32_t low, high;  // ends of the edge
   std::uint32_t triangle;
   bool upward;  // from low to high
+
+  friend auto operator<=>(const Side&, const Side&) = default;
 };
 
-std::vector<Side> sorted_sides(std::span<const IndexedTriangle> triangles) {
+std::vector<Side> sorted_sides(std::span<const IndexedTriangle> triangles,
+                               std::size_t n_vertices) {
   std::vector<Side> sides;
+  sides.reserve(3 * triangles.size());
   for (std::uint32_t t = 0; t < triangles.size(); ++t)
     for (std::size_t i = 0; i < 3; ++i) {
       const std::uint32_t a = triangles[t][i], b = triangles[t][(i + 1) % 3];
       if (a != b) sides.push_back({std::min(a, b), std::max(a, b), t, a < b});
     }
-  std::sort(sides.begin(), sides.end(), [](const Side& p, const Side& q) {
-    if (p.low != q.low) return p.low < q.low;
-    if (p.high != q.high) return p.high < q.high;
-    return p.triangle < q.triangle;
-  });
+  sort_into_buckets(sides, n_vertices, [](const Side& s) { return s.low; });
   return sides;
 }
 
@@ -112,53 +138,59 @@ bool can_be_oriented(std::size_t n_triangles, std::span<const Side> sides) {
 
 /// Whether the edges, each opposite one vertex in a triangle, are one path or
 /// one cycle.
-bool is_fan_or_umbrella(std::span<const IndexedEdge> link) {
-  std::vector<std::uint32_t> ends;
+/// @param ends  scratch
+bool is_fan_or_umbrella(std::span<const IndexedEdge> link,
+                        std::vector<std::uint32_t>& ends) {
+  ends.clear();
   for (const auto& [p, q] : link) {
     if (p == q) return false;
     ends.push_back(p);
     ends.push_back(q);
   }
   std::sort(ends.begin(), ends.end());
-  std::vector<std::uint32_t> nodes = ends;
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   for (std::size_t i = 2; i < ends.size(); ++i)
     if (ends[i] == ends[i - 2]) return false;  // three triangles at an edge
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
 
+  // No node has three edges, so it is one part exactly if it is connected.
   const auto position = [&](std::uint32_t node) {
     return static_cast<std::uint32_t>(
-        std::lower_bound(nodes.begin(), nodes.end(), node) - nodes.begin());
+        std::lower_bound(ends.begin(), ends.end(), node) - ends.begin());
   };
-  Components parts(nodes.size());
-  for (const auto& [p, q] : link) parts.join(position(p), position(q));
-  for (std::uint32_t i = 1; i < nodes.size(); ++i)
-    if (parts.root(i) != parts.root(0)) return false;
-  return true;
+  Components parts(ends.size());
+  std::size_t n_parts = ends.size();
+  for (const auto& [p, q] : link)
+    n_parts -= parts.join(position(p), position(q)) ? 1 : 0;
+  return n_parts == 1;
 }
 
+struct Corner {
+  std::uint32_t vertex;
+  IndexedEdge opposite;
+
+  friend auto operator<=>(const Corner&, const Corner&) = default;
+};
+
 std::size_t count_nonmanifold_vertices(
-    std::span<const IndexedTriangle> triangles) {
-  struct Corner {
-    std::uint32_t vertex;
-    IndexedEdge opposite;
-  };
+    std::span<const IndexedTriangle> triangles, std::size_t n_vertices) {
   std::vector<Corner> corners;
+  corners.reserve(3 * triangles.size());
   for (const auto& [a, b, c] : triangles) {
     corners.push_back({a, {b, c}});
     corners.push_back({b, {c, a}});
     corners.push_back({c, {a, b}});
   }
-  std::sort(
-      corners.begin(), corners.end(),
-      [](const Corner& p, const Corner& q) { return p.vertex < q.vertex; });
+  const auto first = sort_into_buckets(
+      corners, n_vertices, [](const Corner& c) { return c.vertex; });
   std::size_t n = 0;
   std::vector<IndexedEdge> link;
-  for (std::size_t i = 0; i < corners.size();) {
-    const std::uint32_t v = corners[i].vertex;
+  std::vector<std::uint32_t> ends;
+  for (std::size_t v = 0; v < n_vertices; ++v) {
+    if (first[v] == first[v + 1]) continue;
     link.clear();
-    for (; i < corners.size() && corners[i].vertex == v; ++i)
+    for (std::uint32_t i = first[v]; i < first[v + 1]; ++i)
       link.push_back(corners[i].opposite);
-    n += is_fan_or_umbrella(link) ? 0 : 1;
+    n += is_fan_or_umbrella(link, ends) ? 0 : 1;
   }
   return n;
 }
@@ -224,11 +256,13 @@ SurfaceReport check_surface(std::span<const Eigen::Vector3d> vertices,
   }
   report.unused_vertices = rows_without(is_used);
   report.vertices = vertices.size() - report.unused_vertices.size();
-  report.duplicate_triangles = n_repeated(triangles);
+  report.duplicate_triangles = n_repeated(triangles, vertices.size());
 
   Components components(triangles.size());
-  judge_edges(triangles, sorted_sides(triangles), report, components);
-  report.nonmanifold_vertices = count_nonmanifold_vertices(triangles);
+  judge_edges(triangles, sorted_sides(triangles, vertices.size()), report,
+              components);
+  report.nonmanifold_vertices =
+      count_nonmanifold_vertices(triangles, vertices.size());
   report.closed = !triangles.empty() && report.boundary_edges == 0 &&
                   report.nonmanifold_edges == 0 &&
                   report.degenerate_triangles == 0;
@@ -255,7 +289,7 @@ CurveReport check_curve(std::size_t n_vertices,
     ++degree[b];
     components.join(a, b);
   }
-  report.duplicate_edges = n_repeated(edges);
+  report.duplicate_edges = n_repeated(edges, n_vertices);
 
   std::vector<bool> is_used(n_vertices), is_counted(n_vertices);
   for (std::uint32_t v = 0; v < n_vertices; ++v) {

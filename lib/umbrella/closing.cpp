@@ -37,7 +37,7 @@ class Closing {
   void repair(Task task);
   bool grow(Task& task);
   bool try_grown(Task& task, const Region& region);
-  bool allow_pieces(Task& task);
+  bool allow_pieces(Task& task, const Attempt& as_given);
   bool drop_points(Task& task);
   void swallow(Task& task, Region& region);
   void accept(const Attempt& solved);
@@ -91,13 +91,13 @@ void Closing::solve_as_given(std::vector<Region> regions) {
 }
 
 void Closing::repair(Task task) {
-  const Outcome as_given = task.last.outcome;
-  if (grow(task) || allow_pieces(task) || drop_points(task)) {
+  const Attempt as_given = task.last;
+  if (grow(task) || allow_pieces(task, as_given) || drop_points(task)) {
     result_.report.grown += task.n_regions;
     return;
   }
-  (as_given == Outcome::Infeasible ? result_.report.infeasible
-                                   : result_.report.undecided) +=
+  (as_given.outcome == Outcome::Infeasible ? result_.report.infeasible
+                                           : result_.report.undecided) +=
       task.n_regions;
 }
 
@@ -156,35 +156,38 @@ void Closing::swallow(Task& task, Region& region) {
   }
 }
 
-/// Lifts the ban on the largest small piece met, until there is a solution.
-bool Closing::allow_pieces(Task& task) {
+/// Lifts the ban on the largest small piece met, until there is a solution; at
+/// a limit, on all.
+bool Closing::allow_pieces(Task& task, const Attempt& as_given) {
+  if (as_given.outcome != Outcome::Banned) return false;
   std::vector<Piece> allowed;
-  while (true) {
-    task.last = solver_.attempt(task.region, {}, allowed);
-    if (task.last.outcome == Outcome::Solved) {
-      accept(task.last);
-      return true;
-    }
-    if (task.last.outcome != Outcome::Banned) return false;
+  task.last = as_given;
+  while (task.last.outcome == Outcome::Banned && !task.last.stuck.empty()) {
     allowed.push_back(*std::max_element(
         task.last.pieces.begin(), task.last.pieces.end(),
         [](const Piece& a, const Piece& b) {
           return a.n_triangles != b.n_triangles ? a.n_triangles < b.n_triangles
                                                 : a.vertices > b.vertices;
         }));
+    task.last = solver_.attempt(task.region, {}, allowed);
   }
+  if (task.last.outcome != Outcome::Solved &&
+      task.last.outcome != Outcome::Banned)
+    return false;
+  accept(task.last);
+  return true;
 }
 
 /// Leaves out vertices of the contradiction, and of those that follow it.
 bool Closing::drop_points(Task& task) {
   if (!options_.drop_points) return false;
   std::vector<VertexId> may_drop;
-  std::vector<Piece> allowed;
-  while (task.last.outcome != Outcome::Undecided) {
+  while (task.last.outcome == Outcome::Infeasible ||
+         task.last.outcome == Outcome::Banned) {
     const std::vector<VertexId> more = united(may_drop, task.last.stuck);
     if (more == may_drop) return false;
     may_drop = more;
-    task.last = solver_.attempt(task.region, may_drop, allowed);
+    task.last = solver_.attempt(task.region, may_drop);
     if (task.last.outcome != Outcome::Solved) continue;
     accept(task.last);
     return true;

@@ -26,8 +26,8 @@ enum class CloseWeight { Circumradius, LambdaLower, Area };
 struct ClosingOptions {
   CloseMode mode = CloseMode::Best;
   CloseWeight weight = CloseWeight::Circumradius;
-  /// Conflicts of one search; the same on every run.
-  std::uint64_t conflicts = 200'000;
+  /// Conflicts of one program: the same on every run.
+  std::uint64_t conflicts = 100'000;
   /// Wall clock for all regions together; a limit that is hit makes the
   /// result depend on the machine.
   double seconds = std::numeric_limits<double>::infinity();

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <utility>
 
 namespace umbrella {
 namespace {
@@ -52,11 +53,23 @@ std::vector<std::uint32_t> near_ties(
   return ties;
 }
 
+// By the first corner in one pass, then each short list.
 void sort_by_corners(std::vector<RankedTriangle>& triangles) {
-  std::sort(triangles.begin(), triangles.end(),
-            [](const RankedTriangle& a, const RankedTriangle& b) {
-              return a.corners < b.corners;
-            });
+  std::uint32_t n_keys = 0;
+  for (const RankedTriangle& t : triangles)
+    n_keys = std::max(n_keys, static_cast<std::uint32_t>(t.corners[0]) + 1);
+  std::vector<std::uint32_t> first(n_keys + 1);
+  for (const RankedTriangle& t : triangles) ++first[index(t.corners[0])];
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<RankedTriangle> sorted(triangles.size());
+  for (const RankedTriangle& t : triangles)
+    sorted[--first[index(t.corners[0])]] = t;
+  for (std::uint32_t k = 0; k < n_keys; ++k)
+    std::sort(sorted.begin() + first[k], sorted.begin() + first[k + 1],
+              [](const RankedTriangle& a, const RankedTriangle& b) {
+                return a.corners < b.corners;
+              });
+  triangles = std::move(sorted);
 }
 
 }  // namespace umbrella

@@ -98,7 +98,11 @@ void RegionSolver::search(Work& work) {
   Attempt& result = work.result;
   while (true) {
     const ilp::Status status = solve(work);
-    if (status == ilp::Status::Limit) return;
+    if (status == ilp::Status::Limit) {
+      // The last model, if any, is kept: its pieces are what is wrong with it.
+      if (!result.pieces.empty()) result.outcome = Outcome::Banned;
+      return;
+    }
     if (status == ilp::Status::Infeasible) {
       result.outcome =
           result.pieces.empty() ? Outcome::Infeasible : Outcome::Banned;
@@ -116,12 +120,12 @@ void RegionSolver::search(Work& work) {
 
 ilp::Status RegionSolver::solve(Work& work) {
   if (options_.mode == CloseMode::Paper) {
-    const ilp::Status status = work.solver.solve({}, limits());
+    const ilp::Status status = work.solver.solve({}, limits(work.solver));
     work.model = work.solver.model();
     return status;
   }
-  ilp::Improvement best =
-      ilp::minimize_worst_first(work.solver, work.worst_first, limits());
+  ilp::Improvement best = ilp::minimize_worst_first(
+      work.solver, work.worst_first, limits(work.solver));
   work.model = std::move(best.model);
   return best.status;
 }
@@ -163,11 +167,14 @@ void RegionSolver::cut(Work& work, const Piece& piece) {
   work.result.pieces.push_back(piece);
 }
 
-ilp::Limits RegionSolver::limits() const {
+/// What is left of the limits of one attempt.
+ilp::Limits RegionSolver::limits(const ilp::Solver& solver) const {
   const std::chrono::duration<double> spent =
       std::chrono::steady_clock::now() - start_;
   ilp::Limits limits;
-  limits.conflicts = options_.conflicts;
+  limits.conflicts =
+      options_.conflicts -
+      std::min(options_.conflicts, solver.statistics().conflicts);
   limits.seconds = std::max(0.0, options_.seconds - spent.count());
   return limits;
 }

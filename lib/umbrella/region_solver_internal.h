@@ -29,6 +29,7 @@ struct Attempt {
   Outcome outcome = Outcome::Undecided;
   std::size_t n_candidates = 0;
   std::size_t n_variables = 0;
+  /// Candidates of the solution, or of the last one that was banned.
   std::vector<LocatedTriangle> chosen;  ///< candidates of the solution
   std::vector<TriangleIndex> freed;     ///< candidates that stood there before
   std::vector<VertexId> vertices;       ///< of the program
@@ -64,7 +65,7 @@ class RegionSolver {
   ilp::Status solve(Work& work);
   bool read_model(Work& work);
   void cut(Work& work, const Piece& piece);
-  ilp::Limits limits() const;
+  ilp::Limits limits(const ilp::Solver& solver) const;
 
   const ClosingOptions& options_;
   const WorkingSurface& surface_;

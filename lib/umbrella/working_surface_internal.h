@@ -54,13 +54,17 @@ class WorkingSurface {
 
   /// All triangles, by ascending corners.
   std::vector<LocatedTriangle> sorted() const {
+    const auto before = [](const LocatedTriangle& a, const LocatedTriangle& b) {
+      return a.corners < b.corners;
+    };
     std::vector<LocatedTriangle> result;
     for (TriangleIndex t = 0; t < triangles_.size(); ++t)
       if (is_there_[t]) result.push_back(triangles_[t]);
-    std::sort(result.begin(), result.end(),
-              [](const LocatedTriangle& a, const LocatedTriangle& b) {
-                return a.corners < b.corners;
-              });
+    // Most stood there from the start, in order.
+    const auto late =
+        std::is_sorted_until(result.begin(), result.end(), before);
+    std::sort(late, result.end(), before);
+    std::inplace_merge(result.begin(), late, result.end(), before);
     return result;
   }
 
