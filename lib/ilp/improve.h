@@ -21,7 +21,7 @@ struct Improvement {
 };
 
 /// Conflicts of the search in the order itself, before the search in any order.
-/// Chosen by the benchmark MinimizeWorstFirst; the result is the same.
+/// Chosen by BM_MinimizeWorstFirst; it makes no difference to the result.
 inline constexpr std::uint64_t kInOrderConflicts = 2000;
 
 /// The lexicographically least model: in the given order each variable is
