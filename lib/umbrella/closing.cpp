@@ -206,6 +206,11 @@ ClosingResult close_holes(const delaunay::Triangulation3& triangulation,
                           std::span<const RankedTriangle> cleaned,
                           std::span<const Hole> holes,
                           const ClosingOptions& options) {
+  if (triangulation.dimension() < 3) {
+    ClosingResult nothing;
+    nothing.report.regions = nothing.report.infeasible = holes.size();
+    return nothing;
+  }
   return Closing(triangulation, cleaned, options).run(holes);
 }
 

@@ -49,7 +49,7 @@ struct PaperCriterion {
   bool admissible(const DelaunayTriangle& t) const { return t.is_gabriel(); }
   Rank rank(const DelaunayTriangle& t) const {
     const double r2 = t.squared_circumradius();
-    return {r2 / t.squared_sphere_radius(), r2};
+    return {t.squared_lambda_lower(r2), r2};
   }
   Rank exact_rank(const DelaunayTriangle& t) const {
     return {t.exact_squared_lambda_lower(), t.exact_squared_circumradius()};
@@ -66,7 +66,7 @@ struct CircumradiusCriterion {
   bool admissible(const DelaunayTriangle& t) const { return t.is_gabriel(); }
   Rank rank(const DelaunayTriangle& t) const {
     const double r2 = t.squared_circumradius();
-    return {r2, r2 / t.squared_sphere_radius()};
+    return {r2, t.squared_lambda_lower(r2)};
   }
   Rank exact_rank(const DelaunayTriangle& t) const {
     return {t.exact_squared_circumradius(), t.exact_squared_lambda_lower()};

@@ -37,11 +37,15 @@ bool DelaunayTriangle::on_hull() const {
 
 LambdaInterval DelaunayTriangle::lambda() const {
   const double r2 = squared_circumradius();
-  const auto [one, other] = cells();
-  const double l1 = std::sqrt(r2 / spheres_->squared_radius(one));
-  const double l2 = std::sqrt(r2 / spheres_->squared_radius(other));
-  return {std::min({l1, l2, 1.0}),
-          is_gabriel() ? 1.0 : std::min(std::max(l1, l2), 1.0)};
+  const double lower = std::sqrt(squared_lambda_lower(r2));
+  if (is_gabriel()) return {lower, 1};
+  const double smallest = std::min(spheres_->squared_radius(facet_.cell()),
+                                   spheres_->squared_radius(opposite().cell()));
+  const double upper2 = is_safe_quotient(r2, smallest)
+                            ? r2 / smallest
+                            : std::max(exact_squared_lambda(facet_),
+                                       exact_squared_lambda(opposite()));
+  return {lower, std::min(std::sqrt(upper2), 1.0)};
 }
 
 double DelaunayTriangle::squared_circumradius() const {
@@ -50,13 +54,17 @@ double DelaunayTriangle::squared_circumradius() const {
 
 double DelaunayTriangle::exact_squared_lambda_lower() const {
   if (on_hull()) return 0;
+  return std::min(exact_squared_lambda(facet_),
+                  exact_squared_lambda(opposite()));
+}
+
+/// Towards the cell of a facet.
+double DelaunayTriangle::exact_squared_lambda(delaunay::Facet side) const {
+  const Cell& cell = triangulation_->cell(side.cell());
+  if (cell.is_infinite()) return 0;
   const auto [a, b, c] = points();
-  const auto towards = [&](delaunay::Facet f) {
-    const Cell& cell = triangulation_->cell(f.cell());
-    return umbrella::exact_squared_lambda(
-        {a, b, c, triangulation_->point(cell.vertex[f.index()])});
-  };
-  return std::min(towards(facet_), towards(opposite()));
+  const Point3& apex = triangulation_->point(cell.vertex[side.index()]);
+  return umbrella::exact_squared_lambda({a, b, c, apex});
 }
 
 double DelaunayTriangle::exact_squared_circumradius() const {

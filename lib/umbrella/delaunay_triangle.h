@@ -41,13 +41,16 @@ class DelaunayTriangle {
   LambdaInterval lambda() const;
   /// Square of the lower bound of lambda().
   double squared_lambda_lower() const {
-    return squared_circumradius() / squared_sphere_radius();
+    return squared_lambda_lower(squared_circumradius());
   }
-  /// Of the larger of the two cells' circumspheres; infinite on the hull. In
-  /// the unit of squared_circumradius().
-  double squared_sphere_radius() const {
-    return std::max(spheres_->squared_radius(facet_.cell()),
-                    spheres_->squared_radius(opposite().cell()));
+  /// The same for who knows squared_circumradius().
+  double squared_lambda_lower(double squared_circumradius) const {
+    const double largest =
+        std::max(spheres_->squared_radius(facet_.cell()),
+                 spheres_->squared_radius(opposite().cell()));
+    return is_safe_quotient(squared_circumradius, largest)
+               ? squared_circumradius / largest
+               : exact_squared_lambda_lower();
   }
   /// In units of (1 / scale)^2, scale as in Circumspheres; so it ranks at
   /// any size.
@@ -61,6 +64,12 @@ class DelaunayTriangle {
   double area() const;          ///< in the squared unit of the points
 
  private:
+  /// Neither operand has lost bits to under- or overflow; false for the
+  /// infinite radius beyond the hull.
+  static bool is_safe_quotient(double r2, double R2) {
+    return r2 >= 0x1p-960 && R2 <= 0x1p+960;
+  }
+  double exact_squared_lambda(delaunay::Facet side) const;
   delaunay::Facet opposite() const {
     return triangulation_->cell(facet_.cell()).neighbor[facet_.index()];
   }

@@ -24,10 +24,10 @@ struct ReconstructOptions {
   Stage stage = Stage::Closed;
   /// One of criterion_names().
   std::string_view criterion = "paper";
-  CleanUpOptions clean_up;
-  ClosingOptions closing;
+  CleanUpOptions clean_up = {};
+  ClosingOptions closing = {};
   /// Called at the start of each stage with its name as in `seconds`.
-  std::function<void(std::string_view)> progress;
+  std::function<void(std::string_view)> progress = {};
 };
 
 /// The counts of the report, under its names.

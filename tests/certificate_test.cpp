@@ -1,0 +1,187 @@
+#include "umbrella/certificate.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <stdexcept>
+
+#include "tests/support/meshes.h"
+
+namespace umbrella {
+namespace {
+
+using tests::IndexedMesh;
+
+SurfaceReport check(const IndexedMesh& mesh) {
+  return check_surface(mesh.vertices, mesh.triangles);
+}
+
+TEST(CheckSurface, KnowsATetrahedron) {
+  const SurfaceReport report = check(tests::tetrahedron());
+  EXPECT_EQ(report.vertices, 4U);
+  EXPECT_EQ(report.triangles, 4U);
+  EXPECT_EQ(report.euler, 2);
+  EXPECT_EQ(report.genus, 0);
+  EXPECT_EQ(report.components, 1U);
+  EXPECT_TRUE(report.closed && report.manifold && report.orientable &&
+              report.oriented && report.outward);
+  EXPECT_NEAR(report.volume, 1. / 6, 1e-15);
+  EXPECT_NEAR(report.area, 1.5 + std::sqrt(3) / 2, 1e-15);
+  EXPECT_TRUE(report.unused_vertices.empty());
+}
+
+TEST(CheckSurface, CountsHandlesAndPieces) {
+  const IndexedMesh torus = tests::torus(9, 7);
+  const SurfaceReport one = check(torus);
+  EXPECT_EQ(one.euler, 0);
+  EXPECT_EQ(one.genus, 1);
+  EXPECT_TRUE(one.outward);
+  const SurfaceReport three =
+      check(tests::together(tests::together(torus, torus, {9, 0, 0}),
+                            tests::tetrahedron(), {0, 9, 0}));
+  EXPECT_EQ(three.components, 3U);
+  EXPECT_EQ(three.genus, 2);
+  EXPECT_EQ(three.euler, 2);
+  EXPECT_TRUE(three.closed && three.manifold && three.outward);
+}
+
+TEST(CheckSurface, DoesNotDependOnOrder) {
+  IndexedMesh mesh = tests::torus(8, 5);
+  const SurfaceReport expected = check(mesh);
+  std::mt19937_64 rng(1);
+  std::shuffle(mesh.triangles.begin(), mesh.triangles.end(), rng);
+  for (auto& t : mesh.triangles)
+    std::rotate(t.begin(), t.begin() + static_cast<int>(rng() % 3), t.end());
+  const SurfaceReport report = check(mesh);
+  EXPECT_EQ(report.genus, expected.genus);
+  EXPECT_TRUE(report.outward);
+  EXPECT_NEAR(report.volume, expected.volume, 1e-12);
+}
+
+TEST(CheckSurface, FindsAMissingTriangle) {
+  for (std::size_t gone = 0; gone < 70; ++gone) {
+    IndexedMesh mesh = tests::torus(7, 5);
+    mesh.triangles.erase(mesh.triangles.begin() +
+                         static_cast<std::ptrdiff_t>(gone));
+    const SurfaceReport report = check(mesh);
+    EXPECT_EQ(report.boundary_edges, 3U);
+    EXPECT_FALSE(report.closed);
+    EXPECT_TRUE(report.manifold && report.oriented);
+    EXPECT_FALSE(report.genus.has_value());
+    EXPECT_FALSE(report.outward);
+  }
+}
+
+TEST(CheckSurface, FindsATurnedTriangle) {
+  IndexedMesh mesh = tests::torus(7, 5);
+  std::swap(mesh.triangles[30][0], mesh.triangles[30][1]);
+  const SurfaceReport report = check(mesh);
+  EXPECT_TRUE(report.closed && report.manifold && report.orientable);
+  EXPECT_FALSE(report.oriented);
+  EXPECT_FALSE(report.outward);
+  EXPECT_EQ(report.genus, 1);
+}
+
+TEST(CheckSurface, FindsAPieceInsideOut) {
+  IndexedMesh inner = tests::tetrahedron();
+  for (auto& t : inner.triangles) std::swap(t[0], t[1]);
+  const SurfaceReport report =
+      check(tests::together(tests::torus(7, 5), inner, {9, 0, 0}));
+  EXPECT_TRUE(report.closed && report.oriented);
+  EXPECT_FALSE(report.outward);
+}
+
+TEST(CheckSurface, FindsTwoPiecesThatShareAVertex) {
+  IndexedMesh mesh =
+      tests::together(tests::tetrahedron(), tests::tetrahedron(), {2, 0, 0});
+  for (auto& t : mesh.triangles)
+    for (auto& v : t) v = v == 4 ? 0 : v;
+  const SurfaceReport report = check(mesh);
+  EXPECT_EQ(report.nonmanifold_vertices, 1U);
+  EXPECT_EQ(report.nonmanifold_edges, 0U);
+  EXPECT_EQ(report.components, 2U);
+  EXPECT_EQ(report.unused_vertices, std::vector<std::uint32_t>{4});
+  EXPECT_EQ(report.vertices, 7U);
+  EXPECT_TRUE(report.closed);
+  EXPECT_FALSE(report.manifold);
+}
+
+TEST(CheckSurface, FindsTwoPiecesThatShareAnEdge) {
+  IndexedMesh mesh =
+      tests::together(tests::tetrahedron(), tests::tetrahedron(), {2, 0, 0});
+  for (auto& t : mesh.triangles)
+    for (auto& v : t) v = v == 4 ? 0 : v == 5 ? 1 : v;
+  const SurfaceReport report = check(mesh);
+  EXPECT_EQ(report.nonmanifold_edges, 1U);
+  EXPECT_EQ(report.nonmanifold_vertices, 2U);
+  EXPECT_FALSE(report.closed || report.manifold);
+}
+
+TEST(CheckSurface, KnowsSurfacesWithoutAnInside) {
+  const SurfaceReport strip = check(tests::moebius_strip());
+  EXPECT_EQ(strip.euler, 0);
+  EXPECT_EQ(strip.boundary_edges, 5U);
+  EXPECT_TRUE(strip.manifold);
+  EXPECT_FALSE(strip.orientable || strip.oriented);
+  const SurfaceReport plane = check(tests::projective_plane());
+  EXPECT_EQ(plane.euler, 1);
+  EXPECT_TRUE(plane.closed && plane.manifold);
+  EXPECT_FALSE(plane.orientable || plane.oriented);
+  EXPECT_FALSE(plane.genus.has_value());
+}
+
+TEST(CheckSurface, FindsDegenerateAndRepeatedTriangles) {
+  IndexedMesh mesh = tests::tetrahedron();
+  mesh.triangles.push_back({2, 1, 0});
+  mesh.triangles.push_back({3, 3, 1});
+  const SurfaceReport report = check(mesh);
+  EXPECT_EQ(report.degenerate_triangles, 1U);
+  EXPECT_EQ(report.duplicate_triangles, 1U);
+  EXPECT_FALSE(report.closed || report.manifold);
+}
+
+TEST(CheckSurface, KnowsTheEmptyMesh) {
+  const SurfaceReport report = check({{{0, 0, 0}}, {}});
+  EXPECT_EQ(report.vertices, 0U);
+  EXPECT_EQ(report.components, 0U);
+  EXPECT_FALSE(report.closed);
+  EXPECT_EQ(report.unused_vertices.size(), 1U);
+}
+
+TEST(CheckSurface, RefusesARowThatIsNotThere) {
+  IndexedMesh mesh = tests::tetrahedron();
+  mesh.triangles[2][1] = 4;
+  EXPECT_THROW(check(mesh), std::invalid_argument);
+}
+
+TEST(CheckCurve, KnowsClosedCurves) {
+  std::vector<IndexedEdge> edges = {{0, 1}, {1, 2}, {2, 0},
+                                    {4, 5}, {5, 6}, {6, 4}};
+  const CurveReport two = check_curve(8, edges);
+  EXPECT_EQ(two.components, 2U);
+  EXPECT_TRUE(two.closed && two.manifold);
+  EXPECT_EQ(two.unused_vertices, (std::vector<std::uint32_t>{3, 7}));
+  edges.pop_back();
+  const CurveReport open = check_curve(8, edges);
+  EXPECT_EQ(open.ends, 2U);
+  EXPECT_FALSE(open.closed);
+  EXPECT_TRUE(open.manifold);
+  edges.push_back({4, 0});
+  const CurveReport branched = check_curve(8, edges);
+  EXPECT_EQ(branched.branchings, 1U);
+  EXPECT_EQ(branched.components, 1U);
+  EXPECT_FALSE(branched.manifold);
+}
+
+TEST(CheckCurve, FindsDegenerateAndRepeatedEdges) {
+  const std::vector<IndexedEdge> edges = {{0, 1}, {1, 0}, {2, 2}};
+  const CurveReport report = check_curve(3, edges);
+  EXPECT_EQ(report.duplicate_edges, 1U);
+  EXPECT_EQ(report.degenerate_edges, 1U);
+  EXPECT_FALSE(report.closed || report.manifold);
+  EXPECT_THROW(check_curve(2, edges), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace umbrella

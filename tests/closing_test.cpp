@@ -1,0 +1,191 @@
+#include "umbrella/closing.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <set>
+#include <vector>
+
+#include "apps/shapes.h"
+#include "umbrella/certificate.h"
+#include "umbrella/clean_up.h"
+#include "umbrella/criterion.h"
+#include "umbrella/filter.h"
+#include "umbrella/holes.h"
+
+namespace umbrella {
+namespace {
+
+using delaunay::Triangulation3;
+
+/// Everything before the closing.
+struct Input {
+  Triangulation3 triangulation;
+  CleanUpResult clean;
+  std::vector<Hole> holes;
+
+  explicit Input(std::span<const Point3> points) : triangulation(points) {
+    const std::size_t n = triangulation.points().size();
+    const auto filtered = umbrella_filter(n, ranked_triangles(triangulation));
+    clean = clean_up(n, filtered.triangles);
+    find();
+  }
+
+  void find() {
+    holes = find_holes(triangulation.points().size(), clean.triangles,
+                       clean.deleted, clean.without_umbrella);
+  }
+
+  /// Takes triangles out as if the clean-up had deleted them.
+  void damage(std::size_t n_triangles, std::uint64_t seed) {
+    std::mt19937_64 rng(seed);
+    std::set<VertexId> bare(clean.without_umbrella.begin(),
+                            clean.without_umbrella.end());
+    for (std::size_t i = 0; i < n_triangles; ++i) {
+      const auto gone =
+          clean.triangles.begin() +
+          static_cast<std::ptrdiff_t>(rng() % clean.triangles.size());
+      bare.insert(gone->corners.begin(), gone->corners.end());
+      clean.deleted.push_back(*gone);
+      clean.triangles.erase(gone);
+    }
+    clean.without_umbrella.assign(bare.begin(), bare.end());
+    find();
+  }
+
+  ClosingResult close(const ClosingOptions& options = {}) const {
+    return close_holes(triangulation, clean.triangles, holes, options);
+  }
+};
+
+std::vector<Triangle> corners_of(const ClosingResult& result) {
+  std::vector<Triangle> corners;
+  for (const auto& t : result.triangles) corners.push_back(t.corners);
+  return corners;
+}
+
+SurfaceReport judged(const Input& input, const ClosingResult& result) {
+  std::vector<IndexedTriangle> triangles;
+  for (const auto& [a, b, c] : corners_of(result))
+    triangles.push_back({static_cast<std::uint32_t>(a),
+                         static_cast<std::uint32_t>(b),
+                         static_cast<std::uint32_t>(c)});
+  return check_surface(input.triangulation.points(), triangles);
+}
+
+TEST(CloseHoles, GivesBackADamagedSurface) {
+  for (std::uint64_t trial = 0; trial < 5; ++trial) {
+    SCOPED_TRACE(testing::Message() << "trial " << trial);
+    Input input(shapes::sample("torus", 800, {.seed = trial}));
+    const auto whole = corners_of(input.close());
+    input.damage(40, trial);
+    const ClosingResult closed = input.close();
+    const SurfaceReport report = judged(input, closed);
+    EXPECT_TRUE(report.closed && report.manifold);
+    EXPECT_EQ(report.genus, 1);
+    EXPECT_TRUE(report.unused_vertices.empty());
+    std::vector<Triangle> same;
+    const auto corners = corners_of(closed);
+    std::set_intersection(whole.begin(), whole.end(), corners.begin(),
+                          corners.end(), std::back_inserter(same));
+    EXPECT_GT(same.size(), whole.size() * 95 / 100);
+  }
+}
+
+TEST(CloseHoles, KeepsWhatIsOutsideTheRegions) {
+  Input input(shapes::sample("sphere", 500, {}));
+  input.damage(10, 7);
+  std::set<VertexId> touched;
+  for (const Hole& hole : input.holes)
+    touched.insert(hole.vertices.begin(), hole.vertices.end());
+  const ClosingResult closed = input.close();
+  ASSERT_EQ(closed.report.feasible, closed.report.regions);
+  const auto corners = corners_of(closed);
+  for (const auto& t : input.clean.triangles)
+    if (!std::all_of(t.corners.begin(), t.corners.end(),
+                     [&](VertexId v) { return touched.count(v) > 0; })) {
+      EXPECT_TRUE(
+          std::binary_search(corners.begin(), corners.end(), t.corners));
+    }
+}
+
+TEST(CloseHoles, DoesNotDependOnTheOrderOfHolesOrTriangles) {
+  std::mt19937_64 rng(2);
+  Input input(shapes::sample("bumpy", 1500, {}));
+  input.damage(60, 1);
+  const auto expected = corners_of(input.close());
+  for (int trial = 0; trial < 3; ++trial) {
+    std::shuffle(input.holes.begin(), input.holes.end(), rng);
+    std::shuffle(input.clean.triangles.begin(), input.clean.triangles.end(),
+                 rng);
+    EXPECT_EQ(corners_of(input.close()), expected);
+  }
+}
+
+TEST(CloseHoles, ClosesByEachWeight) {
+  Input input(shapes::sample("torus", 600, {}));
+  input.damage(30, 3);
+  for (const CloseWeight weight :
+       {CloseWeight::Circumradius, CloseWeight::LambdaLower,
+        CloseWeight::Area}) {
+    const SurfaceReport report = judged(input, input.close({.weight = weight}));
+    EXPECT_TRUE(report.closed && report.manifold);
+    EXPECT_EQ(report.genus, 1);
+  }
+}
+
+TEST(CloseHoles, PaperModeGivesAConstrainedComplex) {
+  Input input(shapes::sample("sphere", 700, {}));
+  input.damage(30, 5);
+  const SurfaceReport report =
+      judged(input, input.close({.mode = CloseMode::Paper}));
+  EXPECT_TRUE(report.closed && report.manifold);
+  EXPECT_TRUE(report.unused_vertices.empty());
+}
+
+TEST(CloseHoles, CountsItsRegions) {
+  Input input(shapes::sample("torus", 800, {}));
+  input.damage(25, 9);
+  const ClosingReport& report = input.close().report;
+  EXPECT_GT(report.regions, 1U);
+  EXPECT_EQ(
+      report.feasible + report.grown + report.infeasible + report.undecided,
+      report.regions);
+  EXPECT_GE(report.variables, report.candidate_triangles);
+  EXPECT_GE(report.largest_region_vertices, 3U);
+}
+
+TEST(CloseHoles, GivesUpAtItsLimitsAndKeepsTheRest) {
+  Input input(shapes::sample("torus", 800, {}));
+  input.damage(25, 9);
+  const ClosingResult result = input.close({.seconds = 0});
+  EXPECT_EQ(result.report.undecided, result.report.regions);
+  EXPECT_EQ(result.triangles.size(), input.clean.triangles.size());
+}
+
+TEST(CloseHoles, LeavesAClosedSurfaceAlone) {
+  const Input input(shapes::sample("sphere", 400, {}));
+  const auto closed = input.close();
+  const Input again = input;
+  EXPECT_EQ(corners_of(again.close()), corners_of(closed));
+  if (input.holes.empty()) {
+    EXPECT_EQ(closed.triangles.size(), input.clean.triangles.size());
+  }
+}
+
+/// A cloud fits no surface: holes are large, and points may have to go.
+TEST(CloseHoles, AnswersOnACloud) {
+  for (std::uint64_t trial = 0; trial < 3; ++trial) {
+    SCOPED_TRACE(testing::Message() << "trial " << trial);
+    const Input input(shapes::sample("uniform", 60, {.seed = trial}));
+    const ClosingResult result = input.close({.conflicts = 2000});
+    const SurfaceReport report = judged(input, result);
+    if (result.report.infeasible + result.report.undecided > 0) continue;
+    EXPECT_TRUE(report.closed && report.manifold);
+    EXPECT_EQ(report.unused_vertices.size(), result.dropped.size());
+  }
+}
+
+}  // namespace
+}  // namespace umbrella

@@ -1,0 +1,146 @@
+#include "umbrella/filter.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <vector>
+
+#include "tests/support/complexes.h"
+#include "umbrella/link_graph_internal.h"
+
+namespace umbrella {
+namespace {
+
+using tests::LinkEdges;
+using tests::ranked;
+
+constexpr std::size_t kVertices = 8;
+
+std::vector<Triangle> corners_of(std::span<const RankedTriangle> triangles) {
+  std::vector<Triangle> corners;
+  for (const auto& t : triangles) corners.push_back(t.corners);
+  return corners;
+}
+
+/// The triangles at v up to the first that closes a cycle.
+std::vector<RankedTriangle> first_umbrella(
+    std::vector<RankedTriangle> triangles, VertexId v) {
+  std::erase_if(triangles, [&](const RankedTriangle& t) {
+    return std::count(t.corners.begin(), t.corners.end(), v) == 0;
+  });
+  std::sort(triangles.begin(), triangles.end(), ranks_before);
+  std::vector<RankedTriangle> taken;
+  for (const auto& t : triangles) {
+    taken.push_back(t);
+    const LinkEdges link = tests::link(taken, v);
+    if (!tests::has_cycle(link)) continue;
+    const auto cyclic = tests::on_cycle(link);
+    std::vector<RankedTriangle> umbrella;
+    for (std::size_t i = 0; i < taken.size(); ++i)
+      if (cyclic[i]) umbrella.push_back(taken[i]);
+    return umbrella;
+  }
+  return {};
+}
+
+TEST(UmbrellaFilter, TakesTheFirstUmbrellaOfEachVertex) {
+  for (std::uint64_t trial = 0; trial < 60; ++trial) {
+    SCOPED_TRACE(testing::Message() << "trial " << trial);
+    const double density = 0.1 + 0.01 * static_cast<double>(trial);
+    const auto triangles = tests::random_complex(kVertices, density, trial);
+    std::vector<Triangle> expected;
+    std::vector<VertexId> bare;
+    for (std::size_t i = 0; i < kVertices; ++i) {
+      const auto umbrella = first_umbrella(triangles, tests::vertex(i));
+      if (umbrella.empty()) {
+        bare.push_back(tests::vertex(i));
+        continue;
+      }
+      EXPECT_TRUE(
+          tests::is_simple_cycle(tests::link(umbrella, tests::vertex(i))));
+      for (const auto& t : umbrella) expected.push_back(t.corners);
+    }
+    std::sort(expected.begin(), expected.end());
+    expected.erase(std::unique(expected.begin(), expected.end()),
+                   expected.end());
+
+    const auto result = umbrella_filter(kVertices, triangles);
+    EXPECT_EQ(corners_of(result.triangles), expected);
+    EXPECT_EQ(result.without_umbrella, bare);
+  }
+}
+
+TEST(UmbrellaFilter, DoesNotDependOnTheOrderOfTheTriangles) {
+  std::mt19937_64 rng(3);
+  for (std::uint64_t trial = 0; trial < 50; ++trial) {
+    SCOPED_TRACE(testing::Message() << "trial " << trial);
+    auto triangles = tests::random_complex(kVertices, 0.4, trial);
+    const auto expected =
+        corners_of(umbrella_filter(kVertices, triangles).triangles);
+    std::shuffle(triangles.begin(), triangles.end(), rng);
+    auto shuffled = corners_of(umbrella_filter(kVertices, triangles).triangles);
+    std::sort(shuffled.begin(), shuffled.end());
+    EXPECT_EQ(shuffled, expected);
+  }
+}
+
+TEST(UmbrellaFilter, PrefersTheUmbrellaWithTheBetterWorstTriangle) {
+  // Around vertex 0 two cycles, 1 2 3 with worst rank 5 and 4 5 6 with 4; the
+  // first has the best triangle of all.
+  const std::vector<RankedTriangle> triangles = {
+      ranked(0, 1, 2, 1), ranked(0, 1, 3, 1), ranked(0, 2, 3, 5),
+      ranked(0, 4, 5, 3), ranked(0, 4, 6, 3), ranked(0, 5, 6, 4)};
+  const auto result = umbrella_filter(7, triangles);
+  EXPECT_EQ(corners_of(result.triangles),
+            corners_of(std::span(triangles).subspan(3)));
+  EXPECT_EQ(result.without_umbrella.size(), 6U);
+}
+
+TEST(UmbrellaFilter, LeavesVerticesWithoutTrianglesAlone) {
+  const auto result = umbrella_filter(3, {});
+  EXPECT_TRUE(result.triangles.empty());
+  EXPECT_EQ(result.without_umbrella.size(), 3U);
+}
+
+TEST(UmbrellaFilter, ManagesAVertexOfVeryHighDegree) {
+  constexpr std::size_t kSpokes = 200'000;
+  std::vector<RankedTriangle> triangles;
+  for (std::size_t i = 1; i <= kSpokes; ++i)
+    triangles.push_back(
+        ranked(0, i, i % kSpokes + 1, static_cast<double>(i % 97)));
+  const auto result = umbrella_filter(kSpokes + 1, triangles);
+  EXPECT_EQ(result.triangles.size(), kSpokes);
+  EXPECT_EQ(result.without_umbrella.size(), kSpokes);
+}
+
+TEST(LinkGraph, FindsCyclesAndBridgesAsTheDefinitionSays) {
+  std::mt19937_64 rng(7);
+  LinkGraph graph(kVertices);
+  for (int trial = 0; trial < 2000; ++trial) {
+    SCOPED_TRACE(testing::Message() << "trial " << trial);
+    LinkEdges edges;
+    for (std::size_t a = 0; a < kVertices; ++a)
+      for (std::size_t b = a + 1; b < kVertices; ++b)
+        if (rng() % 28 < 1 + static_cast<std::uint64_t>(trial % 12))
+          edges.emplace_back(tests::vertex(a), tests::vertex(b));
+    std::shuffle(edges.begin(), edges.end(), rng);
+
+    graph.clear();
+    LinkEdges so_far;
+    for (const auto& [a, b] : edges) {
+      const bool closes = tests::are_connected(so_far, a, b);
+      EXPECT_EQ(graph.add({a, b}), closes);
+      so_far.emplace_back(a, b);
+    }
+    const auto expected = tests::on_cycle(edges);
+    EXPECT_EQ(graph.drop_bridges(), expected);
+    LinkEdges cyclic;
+    for (std::size_t i = 0; i < edges.size(); ++i)
+      if (expected[i]) cyclic.push_back(edges[i]);
+    EXPECT_EQ(graph.is_one_cycle(), tests::is_simple_cycle(cyclic));
+  }
+}
+
+}  // namespace
+}  // namespace umbrella
