@@ -125,8 +125,10 @@ std::vector<Site> scatter(Surface surface, std::size_t n, Random& random) {
   const double row = 1 / static_cast<double>(rows);
   for (; grid.sites().size() < n; distance *= kShrink) {
     for (std::size_t k = 0; k < rows * rows && grid.sites().size() < n; ++k) {
-      const double u = (static_cast<double>(k / rows) + random.unit()) * row;
-      const double v = (static_cast<double>(k % rows) + random.unit()) * row;
+      const std::size_t i = k / rows;
+      const std::size_t j = k % rows;
+      const double u = (static_cast<double>(i) + random.unit()) * row;
+      const double v = (static_cast<double>(j) + random.unit()) * row;
       const Site site = surface(u, v);
       if (site.spacing > 0 && !grid.crowded(site, distance)) grid.insert(site);
     }

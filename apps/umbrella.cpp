@@ -41,11 +41,19 @@ ExitCode run(int argc, char** argv) {
                        "umbrella " + std::string(build_info::kVersion));
   app.require_subcommand(1);
   ExitCode exit_code = ExitCode::Done;
+  command::add_reconstruct(app, exit_code);
+  command::add_check(app, exit_code);
   command::add_generate(app, exit_code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& request) {  // help and version
     app.exit(request);
+  } catch (const CLI::RequiredError& e) {
+    // The parser misses the subcommand and does not look what is in its place.
+    if (app.get_subcommands().empty() && argc > 1 && argv[1][0] != '-')
+      return fail(ExitCode::BadInput,
+                  "no subcommand is called '" + std::string(argv[1]) + "'");
+    return fail(ExitCode::BadInput, e.what());
   } catch (const CLI::ParseError& e) {
     return fail(ExitCode::BadInput, e.what());
   }

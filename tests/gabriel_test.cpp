@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "tests/support/exact_oracle.h"
+#include "tests/support/ball_oracle.h"
 #include "tests/support/predicate_inputs.h"
 
 namespace {

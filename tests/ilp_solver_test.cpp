@@ -1,36 +1,65 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <random>
+#include <stdexcept>
 #include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 #include "ilp/solver.h"
 #include "tests/support/ilp_programs.h"
 
 namespace {
 
+using ilp::Core;
+using ilp::Limits;
 using ilp::Literal;
 using ilp::Model;
 using ilp::Problem;
 using ilp::Solver;
+using ilp::Statistics;
 using ilp::Status;
 using ilp::VarId;
 
 using Generator = Problem (*)(std::mt19937_64&, std::uint32_t);
 
-// solve() finds a model exactly where enumeration does.
+bool has_model(const Problem& problem) {
+  std::mt19937_64 rng(1);
+  const auto order = support::random_order(rng, problem.n_variables());
+  return support::least_model(problem, order).has_value();
+}
+
+void expect_core(const Core& core, const Problem& problem,
+                 std::vector<Literal> assumptions) {
+  std::ranges::sort(assumptions);
+  EXPECT_TRUE(std::ranges::includes(assumptions, core.assumptions));
+  EXPECT_FALSE(has_model(support::with_fixed(
+      support::part_of(problem, core.constraints), core.assumptions)));
+}
+
+// One solver, asked without, with and again without assumptions, finds a model
+// exactly where enumeration does, and else a core.
 void expect_agrees_with_enumeration(const Problem& problem,
                                     std::mt19937_64& rng) {
-  const auto order = support::random_order(rng, problem.n_variables());
-  const bool has_model = support::least_model(problem, order).has_value();
+  std::vector<Literal> assumptions;
+  for (const VarId v : support::random_order(rng, problem.n_variables()))
+    if (rng() % 4 == 0) assumptions.emplace_back(v, rng() % 2 == 0);
+
   Solver solver(problem);
-  solver.set_priority(order);
-  const Status status = solver.solve();
-  ASSERT_EQ(status, has_model ? Status::Feasible : Status::Infeasible);
-  if (has_model) {
-    EXPECT_EQ(first_violation(problem, solver.model()), "");
-  } else {
-    const Problem core = support::part_of(problem, solver.core().constraints);
-    EXPECT_FALSE(support::least_model(core, order)) << "core is feasible";
+  solver.set_priority(support::random_order(rng, problem.n_variables()));
+  for (const bool is_assumed : {false, true, false}) {
+    const auto asked = is_assumed ? assumptions : std::vector<Literal>{};
+    const Problem fixed = support::with_fixed(problem, asked);
+    const Status status = solver.solve(asked);
+    ASSERT_EQ(status, has_model(fixed) ? Status::Feasible : Status::Infeasible);
+    if (status == Status::Feasible) {
+      EXPECT_EQ(first_violation(fixed, solver.model()), "");
+    } else {
+      expect_core(solver.core(), problem, asked);
+    }
   }
 }
 
@@ -39,10 +68,10 @@ class SolverOnRandomPrograms
 
 TEST_P(SolverOnRandomPrograms, AgreesWithEnumeration) {
   std::mt19937_64 rng(20261122);
-  for (int trial = 0; trial < 3000; ++trial) {
+  for (int trial = 0; trial < 1000; ++trial) {
     SCOPED_TRACE(testing::Message() << "trial " << trial);
     expect_agrees_with_enumeration(GetParam().second(rng, 11), rng);
-    if (HasFatalFailure()) return;
+    if (HasFailure()) return;
   }
 }
 
@@ -51,5 +80,125 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(std::pair{"surfaces", &support::random_surface_program},
                     std::pair{"programs", &support::random_program}),
     [](const auto& instance) { return std::string(instance.param.first); });
+
+TEST(SlowSolver, AgreesWithEnumerationOnLargerPrograms) {
+  std::mt19937_64 rng(7);
+  for (int trial = 0; trial < 3000; ++trial) {
+    SCOPED_TRACE(testing::Message() << "trial " << trial);
+    expect_agrees_with_enumeration(support::random_surface_program(rng, 17),
+                                   rng);
+    expect_agrees_with_enumeration(support::random_program(rng, 14), rng);
+    if (HasFailure()) return;
+  }
+}
+
+// A hole whose own triangles close it; the extra ones only mislead.
+TEST(Solver, ClosesHolesOfATorus) {
+  for (std::uint64_t seed = 0; seed < 30; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    const Problem problem = support::torus_hole(8, 12, seed);
+    std::mt19937_64 rng(seed);
+    Solver solver(problem);
+    solver.set_priority(support::random_order(rng, problem.n_variables()));
+    ASSERT_EQ(solver.solve(), Status::Feasible);
+    EXPECT_EQ(first_violation(problem, solver.model()), "");
+  }
+}
+
+TEST(Solver, EnumeratesAllModelsByClauses) {
+  const auto triangles = support::all_triangles(5);
+  const Problem problem = support::surface_program(
+      triangles, std::array<std::uint32_t, 5>{0, 1, 2, 3, 4});
+  Solver solver(problem);
+  int n_models = 0;
+  while (solver.solve() == Status::Feasible && n_models < 100) {
+    ++n_models;
+    ASSERT_EQ(first_violation(problem, solver.model()), "");
+    std::vector<Literal> other;
+    for (std::uint32_t v = 0; v < triangles.size(); ++v)
+      other.emplace_back(VarId{v}, !solver.model()[v]);
+    EXPECT_EQ(solver.add_clause(other).index + 1,
+              static_cast<std::uint32_t>(n_models));
+  }
+  EXPECT_EQ(n_models, 16);
+  // The refutation needs the clause against each model.
+  EXPECT_EQ(
+      std::ranges::count(solver.core().constraints, ilp::ConstraintKind::Clause,
+                         &ilp::ConstraintId::kind),
+      16);
+}
+
+// Runs the same calls on a new solver; the statistics tell the trace.
+std::tuple<Model, std::uint64_t, std::uint64_t> run(const Problem& problem) {
+  std::mt19937_64 rng(3);
+  Solver solver(problem);
+  solver.set_priority(support::random_order(rng, problem.n_variables()));
+  solver.solve();
+  const Statistics s = solver.statistics();
+  return {solver.model(), s.conflicts, s.propagations};
+}
+
+TEST(Solver, GoesTheSameWayOnEveryRun) {
+  const Problem problem = support::torus_hole(7, 12, 2);
+  const auto first = run(problem);
+  EXPECT_GT(std::get<1>(first), 0U) << "too easy to tell";
+  EXPECT_EQ(run(problem), first);
+}
+
+// Seven pigeons in six holes: a program that no search refutes quickly.
+Problem pigeons() {
+  constexpr std::uint32_t kHoles = 6;
+  Problem problem;
+  problem.add_variables((kHoles + 1) * kHoles);
+  const auto in = [](std::uint32_t pigeon, std::uint32_t hole) {
+    return VarId{pigeon * kHoles + hole};
+  };
+  for (std::uint32_t p = 0; p <= kHoles; ++p) {
+    std::vector<Literal> somewhere;
+    for (std::uint32_t h = 0; h < kHoles; ++h)
+      somewhere.emplace_back(in(p, h), true);
+    problem.add_clause(somewhere);
+    for (std::uint32_t q = 0; q < p; ++q)
+      for (std::uint32_t h = 0; h < kHoles; ++h)
+        problem.add_clause(
+            std::array{Literal(in(p, h), false), Literal(in(q, h), false)});
+  }
+  return problem;
+}
+
+TEST(Solver, StopsAtItsLimitsAndGoesOn) {
+  Solver solver(pigeons());
+  EXPECT_EQ(solver.solve({}, {.conflicts = 10}), Status::Limit);
+  EXPECT_EQ(solver.statistics().conflicts, 10U);
+  EXPECT_EQ(solver.solve({}, {.conflicts = 5}), Status::Limit);
+  EXPECT_EQ(solver.statistics().conflicts, 15U);
+  const auto before = solver.statistics().propagations;
+  EXPECT_EQ(solver.solve({}, {.propagations = 100}), Status::Limit);
+  EXPECT_LT(solver.statistics().propagations, before + 300);
+  EXPECT_EQ(solver.solve({}, {.seconds = 0}), Status::Limit);
+  EXPECT_EQ(solver.solve(), Status::Infeasible);
+  EXPECT_EQ(solver.core().constraints.size(), pigeons().n_clauses());
+}
+
+TEST(Solver, CoreLeavesOutWhatIsElsewhere) {
+  Problem problem = pigeons();
+  const VarId first = problem.add_variables(20);
+  for (std::uint32_t i = 0; i + 1 < 20; ++i) {
+    const VarId v{static_cast<std::uint32_t>(first) + i};
+    const VarId next{static_cast<std::uint32_t>(v) + 1};
+    problem.add_pair(std::array{v, next});
+  }
+  Solver solver(problem);
+  ASSERT_EQ(solver.solve(), Status::Infeasible);
+  for (const auto& [kind, i] : solver.core().constraints)
+    EXPECT_EQ(kind, ilp::ConstraintKind::Clause) << i;
+}
+
+TEST(Solver, RefusesUnknownVariables) {
+  Solver solver(pigeons());
+  const std::array unknown = {Literal(VarId{42}, true)};
+  EXPECT_THROW(solver.solve(unknown), std::invalid_argument);
+  EXPECT_THROW(solver.add_clause(unknown), std::invalid_argument);
+}
 
 }  // namespace

@@ -75,7 +75,7 @@ AnyParts linked(
   }
   parts.n_finite_cells = parts.cells.size();
 
-  using Handle = decltype(parts.cells[0].neighbor)::value_type;
+  using Handle = typename decltype(parts.cells[0].neighbor)::value_type;
   std::map<std::vector<VertexId>, Handle> open;
   const auto match = [&](std::size_t c) {
     for (unsigned i = 0; i < AnyParts::kCorners; ++i) {

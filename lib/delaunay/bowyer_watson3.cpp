@@ -271,88 +271,93 @@ BowyerWatson3::RimVertex BowyerWatson3::relative(VertexId v,
   return {v, {x, y, z}, x * x + y * y + z * z};
 }
 
-std::uint32_t BowyerWatson3::rim_position(VertexId v, const double* p) {
-  std::uint32_t& slot = site(v).rim_slot;
-  if (slot < rim_.size() && rim_[slot].id == v) return slot;
-  slot = static_cast<std::uint32_t>(rim_.size());
-  rim_.push_back(v == kInfinite ? RimVertex{v, {0, 0, 0}, 0} : relative(v, p));
-  return slot;
+inline std::uint32_t BowyerWatson3::rim_position(VertexId v, const double* p) {
+  Site& s = site(v);
+  if (s.insertion == insertion_) return s.rim_position;
+  s.insertion = insertion_;
+  s.rim_position = n_rim_;
+  rim_[n_rim_] = v == kInfinite ? RimVertex{v, {0, 0, 0}, 0} : relative(v, p);
+  return n_rim_++;
 }
 
-BowyerWatson3::RimFacet BowyerWatson3::rim_facet(Facet outside,
-                                                 const double* p) {
-  Cell& cell = cells_[index(outside.cell())];
-  unmark_next_to_cavity(cell);
-  const auto& corner = kFacetCorners[outside.index()];
-  std::array<VertexId, 3> v = {cell.vertex[corner[0]], cell.vertex[corner[1]],
-                               cell.vertex[corner[2]]};
-  const bool is_infinite = cell.is_infinite() && outside.index() != 3;
-  if (is_infinite)
-    while (v[2] != kInfinite) std::rotate(v.begin(), v.begin() + 1, v.end());
-  return {outside,
-          {rim_position(v[0], p), rim_position(v[1], p), rim_position(v[2], p)},
-          CellId{},
-          is_infinite};
-}
-
-CellId BowyerWatson3::new_cell(std::size_t k) {
-  if (k < cavity_.size()) return cavity_[k];
-  if (!free_.empty()) {
-    const CellId c = free_.back();
+// The cells of the star: first those of the cavity, then freed ones, then new
+// ones. After this nothing is allocated until the star is complete.
+void BowyerWatson3::allocate_star() {
+  const std::size_t n = boundary_.size();
+  star_.resize(n);
+  const std::size_t n_reused = std::min(n, cavity_.size());
+  std::copy_n(cavity_.begin(), n_reused, star_.begin());
+  std::size_t k = n_reused;
+  for (; k < n && !free_.empty(); ++k) {
+    star_[k] = free_.back();
     free_.pop_back();
-    return c;
   }
-  if (cells_.size() >= kMaxCells)
+  std::size_t next = cells_.size();
+  if (next + (n - k) > kMaxCells)
     throw std::length_error("Delaunay triangulation has over 2^30 cells");
-  cells_.emplace_back();
-  return CellId{static_cast<std::uint32_t>(cells_.size() - 1)};
-}
-
-// Slots of corners 0, 1, 2 and of the apex in the new cell: (a, b, c, apex),
-// or, with c infinite, its even permutation (a, apex, b, infinite).
-namespace {
-constexpr std::array<std::uint8_t, 4> kFiniteSlots = {0, 1, 2, 3};
-constexpr std::array<std::uint8_t, 4> kInfiniteSlots = {0, 2, 3, 1};
-
-const std::array<std::uint8_t, 4>& slots(bool is_infinite) {
-  return is_infinite ? kInfiniteSlots : kFiniteSlots;
-}
-}  // namespace
-
-void BowyerWatson3::make_star_cell(RimFacet& facet, VertexId apex) {
-  Cell& cell = cells_[index(facet.star)];
-  const RimVertex& a = rim_[facet.corner[0]];
-  const RimVertex& b = rim_[facet.corner[1]];
-  const RimVertex& c = rim_[facet.corner[2]];
-  if (facet.is_infinite) {
-    cell.vertex = {a.id, apex, b.id, kInfinite};
-    forget_sphere(cell);
-  } else {
-    cell.vertex = {a.id, b.id, c.id, apex};
-    set_sphere(cell, at(apex), a, b, c);
-  }
-  link(Facet(facet.star, slots(facet.is_infinite)[3]), facet.outside);
-}
-
-void BowyerWatson3::fill_cavity(VertexId apex) {
-  const double* p = at(apex);
-  rim_.clear();
-  facets_.clear();
-  for (const Facet outside : boundary_) {
-    facets_.push_back(rim_facet(outside, p));
-    facets_.back().star = new_cell(facets_.size() - 1);
-  }
-  for (RimFacet& facet : facets_) make_star_cell(facet, apex);
-  link_star();
-  for (std::size_t k = facets_.size(); k < cavity_.size(); ++k) {
+  cells_.resize(next + (n - k));
+  for (; k < n; ++k) star_[k] = CellId{static_cast<std::uint32_t>(next++)};
+  for (k = n_reused; k < cavity_.size(); ++k) {
     cells_[index(cavity_[k])].vertex[0] = kInfinite;  // no cell
     free_.push_back(cavity_[k]);
   }
-  hint_ = facets_.back().star;
+  // The rim is a triangulated sphere: n facets have n / 2 + 2 corners.
+  if (rim_.size() < n / 2 + 2) rim_.resize(n + 2);
+  if (facets_.size() < n) facets_.resize(2 * n);
 }
 
-Facet BowyerWatson3::star_facet(const RimFacet& facet, unsigned corner) const {
-  return {facet.star, slots(facet.is_infinite)[corner]};
+// Slots of the corners and of the apex in the new cell: (a, b, c, apex), or,
+// with c infinite, its even permutation (a, apex, b, infinite).
+namespace {
+constexpr std::array<std::array<std::uint8_t, 4>, 2> kSlots = {
+    {{0, 1, 2, 3}, {0, 2, 3, 1}}};
+}  // namespace
+
+inline void BowyerWatson3::make_star_cell(std::size_t k, VertexId apex) {
+  const double* p = at(apex);
+  const Facet outside = boundary_[k];
+  Cell& outer = cells_[index(outside.cell())];
+  unmark_next_to_cavity(outer);
+  const auto& corner = kFacetCorners[outside.index()];
+  std::array<VertexId, 3> v = {outer.vertex[corner[0]], outer.vertex[corner[1]],
+                               outer.vertex[corner[2]]};
+  const bool is_infinite = outer.is_infinite() && outside.index() != 3;
+  if (is_infinite) [[unlikely]]
+    while (v[2] != kInfinite) std::rotate(v.begin(), v.begin() + 1, v.end());
+
+  const std::uint32_t a = rim_position(v[0], p);
+  const std::uint32_t b = rim_position(v[1], p);
+  const std::uint32_t c = rim_position(v[2], p);
+  facets_[k] = {{a, b, c}, is_infinite};
+  const CellId star = star_[k];
+  Cell& cell = cells_[index(star)];
+  const unsigned apex_slot = kSlots[is_infinite ? 1 : 0][3];
+  cell.neighbor[apex_slot] = outside;
+  outer.neighbor[outside.index()] = Facet(star, apex_slot);
+  if (is_infinite) [[unlikely]] {
+    cell.vertex = {v[0], apex, v[1], kInfinite};
+    forget_sphere(cell);
+  } else {
+    cell.vertex = {v[0], v[1], v[2], apex};
+    set_sphere(cell, p, rim_[a], rim_[b], rim_[c]);
+  }
+}
+
+void BowyerWatson3::fill_cavity(VertexId apex) {
+  allocate_star();
+  ++insertion_;
+  n_rim_ = 0;
+  const std::size_t n = boundary_.size();
+  for (std::size_t k = 0; k < n; ++k) make_star_cell(k, apex);
+  if (n_rim_ <= kLinkTableSide)
+    link_star();
+  else
+    link_large_star();
+  hint_ = star_[n - 1];
+}
+
+Facet BowyerWatson3::star_facet(std::size_t k, unsigned corner) const {
+  return {star_[k], kSlots[facets_[k].is_infinite ? 1 : 0][corner]};
 }
 
 // Two star cells share a facet over each edge of the cavity's boundary, which
@@ -360,18 +365,18 @@ Facet BowyerWatson3::star_facet(const RimFacet& facet, unsigned corner) const {
 // Every entry that is read was written in this insertion, so none is cleared.
 void BowyerWatson3::link_star() {
   constexpr std::size_t kSide = kLinkTableSide;
-  if (rim_.size() > kSide) return link_large_star();
-  auto& opposite = link_table_;
-  for (const RimFacet& facet : facets_) {
-    const auto [a, b, c] = facet.corner;
-    opposite[a * kSide + b] = star_facet(facet, 2);
-    opposite[b * kSide + c] = star_facet(facet, 0);
-    opposite[c * kSide + a] = star_facet(facet, 1);
+  Facet* const opposite = link_table_.data();
+  const std::size_t n = boundary_.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    const auto [a, b, c] = facets_[k].corner;
+    opposite[a * kSide + b] = star_facet(k, 2);
+    opposite[b * kSide + c] = star_facet(k, 0);
+    opposite[c * kSide + a] = star_facet(k, 1);
   }
-  for (const RimFacet& facet : facets_) {
-    const auto [a, b, c] = facet.corner;
-    Cell& cell = cells_[index(facet.star)];
-    const auto& slot = slots(facet.is_infinite);
+  for (std::size_t k = 0; k < n; ++k) {
+    const auto [a, b, c] = facets_[k].corner;
+    Cell& cell = cells_[index(star_[k])];
+    const auto& slot = kSlots[facets_[k].is_infinite ? 1 : 0];
     cell.neighbor[slot[2]] = opposite[b * kSide + a];
     cell.neighbor[slot[0]] = opposite[c * kSide + b];
     cell.neighbor[slot[1]] = opposite[a * kSide + c];
@@ -384,13 +389,13 @@ void BowyerWatson3::link_large_star() {
     Facet opposite;
   };
   std::vector<Edge> edges;
-  edges.reserve(3 * facets_.size());
-  for (const RimFacet& facet : facets_)
-    for (unsigned k = 0; k < 3; ++k) {
-      const std::uint64_t a = facet.corner[(k + 1) % 3];
-      const std::uint64_t b = facet.corner[(k + 2) % 3];
+  edges.reserve(3 * boundary_.size());
+  for (std::size_t k = 0; k < boundary_.size(); ++k)
+    for (unsigned i = 0; i < 3; ++i) {
+      const std::uint64_t a = facets_[k].corner[(i + 1) % 3];
+      const std::uint64_t b = facets_[k].corner[(i + 2) % 3];
       edges.push_back(
-          {std::min(a, b) << 32U | std::max(a, b), star_facet(facet, k)});
+          {std::min(a, b) << 32U | std::max(a, b), star_facet(k, i)});
     }
   std::ranges::sort(edges, {}, &Edge::ends);
   for (std::size_t k = 0; k < edges.size(); k += 2) {

@@ -29,13 +29,11 @@ class BowyerWatson3 {
   std::size_t finish(std::vector<Cell>& cells) &&;
 
  private:
-  /// A facet between the cavity and the cell `outside` it, with its corners
-  /// as positions in `rim_`, counter-clockwise seen from inside the cavity;
-  /// the infinite vertex, if any, is corner 2.
+  /// A facet between the cavity and the cell outside it: its corners as
+  /// positions in `rim_`, counter-clockwise seen from inside the cavity; the
+  /// infinite vertex, if any, is corner 2.
   struct RimFacet {
-    Facet outside;
     std::array<std::uint32_t, 3> corner;
-    CellId star;  ///< the new cell on it
     bool is_infinite;
   };
   /// A vertex of the cavity, relative to the point that is inserted.
@@ -44,12 +42,12 @@ class BowyerWatson3 {
     std::array<double, 3> offset;
     double norm2;
   };
-
-  /// A vertex and its place in `rim_`, in one half of a cache line; the place
-  /// is valid if `rim_` agrees.
+  /// A vertex, with its place in `rim_` during one insertion, in half a cache
+  /// line.
   struct alignas(32) Site {
     std::array<double, 3> at;
-    std::uint32_t rim_slot;
+    std::uint32_t insertion = 0;
+    std::uint32_t rim_position = 0;
   };
 
   template <bool kExact>
@@ -63,24 +61,23 @@ class BowyerWatson3 {
   void find_cavity(CellId seed, const double* p);
 
   void fill_cavity(VertexId apex);
-  Site& site(VertexId v) {
-    return v == kInfinite ? sites_.back() : sites_[index(v)];
-  }
-  RimVertex relative(VertexId v, const double* p) const;
+  void allocate_star();
+  void make_star_cell(std::size_t k, VertexId apex);
   std::uint32_t rim_position(VertexId v, const double* p);
-  RimFacet rim_facet(Facet outside, const double* p);
-  CellId new_cell(std::size_t k);
-  void make_star_cell(RimFacet& facet, VertexId apex);
+  RimVertex relative(VertexId v, const double* p) const;
   void link_star();
   void link_large_star();
   void link(Facet a, Facet b);
-  Facet star_facet(const RimFacet& facet, unsigned corner) const;
+  Facet star_facet(std::size_t k, unsigned corner) const;
 
   void relocate(CellId from, CellId to);
   template <class Keep>
   std::size_t gather(std::size_t first, Keep keep);
 
   const double* at(VertexId v) const { return sites_[index(v)].at.data(); }
+  Site& site(VertexId v) {
+    return v == kInfinite ? sites_.back() : sites_[index(v)];
+  }
   void reserve_cells();
 
   std::vector<Site> sites_;  // by vertex; the infinite one comes last
@@ -88,11 +85,15 @@ class BowyerWatson3 {
   std::vector<CellId> free_;
   CellId hint_{};  // a cell near the vertex inserted last
 
-  // Of the insertion under way; kept to reuse their memory.
+  // Of the insertion under way; kept to reuse their memory. Rim facet k is
+  // boundary_[k] seen from the cavity, and star_[k] the new cell on it.
+  std::uint32_t insertion_ = 0;
   std::vector<CellId> cavity_;
   std::vector<Facet> boundary_;
+  std::vector<CellId> star_;
   std::vector<RimFacet> facets_;
   std::vector<RimVertex> rim_;
+  std::uint32_t n_rim_ = 0;
   static constexpr std::size_t kLinkTableSide = 64;
   std::vector<Facet> link_table_;  // by pair of rim positions
 };

@@ -137,8 +137,8 @@ void Analyzer::find_level_and_glue() {
               literals[static_cast<std::size_t>(second - levels_.begin())]);
   }
   std::ranges::sort(levels_);
-  const auto repeated = std::ranges::unique(levels_);
-  lesson_.glue = static_cast<std::uint32_t>(repeated.begin() - levels_.begin());
+  levels_.erase(std::unique(levels_.begin(), levels_.end()), levels_.end());
+  lesson_.glue = static_cast<std::uint32_t>(levels_.size());
 }
 
 namespace {

@@ -14,8 +14,7 @@ Antecedent Derivations::learn() {
     return Antecedent::nothing();
   }
   std::ranges::sort(pending_);
-  const auto repeated = std::ranges::unique(pending_);
-  pending_.erase(repeated.begin(), repeated.end());
+  pending_.erase(std::unique(pending_.begin(), pending_.end()), pending_.end());
   rows_.add(pending_);
   pending_.clear();
   return Antecedent::learned(static_cast<std::uint32_t>(rows_.size() - 1));

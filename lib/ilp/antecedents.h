@@ -34,7 +34,10 @@ class Antecedent {
   }
   /// Number of the learned clause, or of the variable.
   constexpr std::uint32_t index() const { return bits_ & kMaxIndex; }
-  friend constexpr auto operator<=>(Antecedent, Antecedent) = default;
+  friend constexpr bool operator==(Antecedent, Antecedent) = default;
+  friend constexpr auto operator<=>(Antecedent a, Antecedent b) {
+    return a.bits_ <=> b.bits_;
+  }
 
   static constexpr std::uint32_t kMaxIndex = (1U << 29U) - 1;
 

@@ -8,8 +8,7 @@ namespace ilp {
 
 bool normalize(std::vector<Literal>& clause) {
   std::ranges::sort(clause);
-  const auto repeated = std::ranges::unique(clause);
-  clause.erase(repeated.begin(), repeated.end());
+  clause.erase(std::unique(clause.begin(), clause.end()), clause.end());
   return std::ranges::adjacent_find(clause, [](Literal a, Literal b) {
            return a.var() == b.var();
          }) == clause.end();

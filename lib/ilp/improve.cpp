@@ -15,9 +15,6 @@
 namespace ilp {
 namespace {
 
-// What the static search may take: see the benchmark BM_StaticBudget.
-constexpr std::uint64_t kStaticConflicts = 1000;
-
 /// The rest of the limits, call after call.
 class Budget {
  public:
@@ -68,12 +65,12 @@ Improvement descend(Solver& solver, std::span<const VarId> worst_first,
 
 Improvement minimize_worst_first(Solver& solver,
                                  std::span<const VarId> worst_first,
-                                 const Limits& limits) {
+                                 const Limits& limits, std::uint64_t in_order) {
   const Budget budget(solver, limits);
   solver.set_priority(worst_first);
   solver.set_branching(Branching::Static);
   Limits trial = limits;
-  trial.conflicts = std::min(limits.conflicts, kStaticConflicts);
+  trial.conflicts = std::min(limits.conflicts, in_order);
   const Status status = solver.solve({}, trial);
   solver.set_branching(Branching::Adaptive);
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 #include "ilp/problem.h"
@@ -19,6 +20,10 @@ struct Improvement {
   std::size_t n_proven = 0;
 };
 
+/// Conflicts of the search in the order itself, before the search in any order.
+/// Chosen by BM_MinimizeWorstFirst; it makes no difference to the result.
+inline constexpr std::uint64_t kInOrderConflicts = 2000;
+
 /// The lexicographically least model: in the given order each variable is
 /// false where a model with the values so far remains. With triangles from
 /// worst to best this is the integer form of the min-max rule of [Adamy02].
@@ -30,6 +35,7 @@ struct Improvement {
 /// @param worst_first  variables, each once; the others count for nothing
 Improvement minimize_worst_first(Solver& solver,
                                  std::span<const VarId> worst_first,
-                                 const Limits& limits = {});
+                                 const Limits& limits = {},
+                                 std::uint64_t in_order = kInOrderConflicts);
 
 }  // namespace ilp

@@ -33,7 +33,10 @@ class Literal {
   /// Row in a per-literal array: 2 var, plus 1 if value() is false.
   constexpr std::uint32_t code() const { return code_; }
   constexpr Literal operator!() const { return from_code(code_ ^ 1U); }
-  friend constexpr auto operator<=>(Literal, Literal) = default;
+  friend constexpr bool operator==(Literal, Literal) = default;
+  friend constexpr auto operator<=>(Literal a, Literal b) {
+    return a.code_ <=> b.code_;
+  }
 
  private:
   std::uint32_t code_ = 0;
@@ -61,8 +64,16 @@ enum class ConstraintKind : std::uint8_t { Pair, Ring, Sides, Clause };
 struct ConstraintId {
   ConstraintKind kind;
   std::uint32_t index;
-  friend constexpr auto operator<=>(const ConstraintId&,
-                                    const ConstraintId&) = default;
+  friend constexpr bool operator==(const ConstraintId&,
+                                   const ConstraintId&) = default;
+  friend constexpr auto operator<=>(const ConstraintId& a,
+                                    const ConstraintId& b) {
+    const auto rank = [](const ConstraintId& id) {
+      return std::uint64_t{static_cast<std::uint8_t>(id.kind)} << 32U |
+             id.index;
+    };
+    return rank(a) <=> rank(b);
+  }
 };
 
 /// The values of all variables.

@@ -1,9 +1,9 @@
 // Rooms on two sides are a system of equations over GF(2), one for each wall:
 // side(a) + side(b) = value (+ 1). What follows from the walls that have a
 // value is read off their groups, as in union-find, but with labels written out
-// and the smaller group relabelled, so that merging can be taken back [Tarjan75
-// gives the bound]. The merging walls form a forest; the tree path between the
-// rooms of a wall explains its value, and later merging never alters it.
+// and the smaller group relabelled, so that merging can be taken back. The
+// merging walls form a forest; the tree path between the rooms of a wall
+// explains its value, and later merging never alters it.
 
 #include "ilp/sides.h"
 

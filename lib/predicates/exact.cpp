@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "predicates/decode_internal.h"
 #include "predicates/exact_internal.h"
 #include "predicates/small_integer_internal.h"
 #include "predicates/wide_integer_internal.h"

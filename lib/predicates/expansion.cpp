@@ -6,9 +6,10 @@
 
 #include <cmath>
 
+#include "predicates/decode_internal.h"
+#include "predicates/exact_internal.h"
 #include "predicates/expansion_internal.h"
 #include "predicates/filter_internal.h"
-#include "predicates/wide_integer_internal.h"
 
 namespace predicates::internal {
 namespace {

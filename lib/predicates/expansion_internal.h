@@ -1,15 +1,11 @@
 /// @file
-/// Exact sums of doubles without overlap, and the adaptive stages built on
-/// them [Shewchuk97]. Not the default exact stage (docs/decisions/
-/// exact-stage.md): an independent check of the integers, over a smaller range.
+/// Exact sums of doubles without overlap [Shewchuk97, Sec. 2].
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <optional>
-
-#include "predicates/polynomial_internal.h"
+#include <utility>
 
 namespace predicates::internal {
 
@@ -142,14 +138,5 @@ constexpr int sign(const Expansion<kE>& e) {
   if (e.size == 0) return 0;
   return e.component[e.size - 1] > 0 ? 1 : -1;
 }
-
-/// Stages B, C and D of [Shewchuk97, Sec. 4]; nullopt where a term could
-/// overflow or lose bits to underflow.
-template <class Predicate>
-std::optional<int> adaptive_expansion_sign(const Points<Predicate::kPoints>& p);
-
-/// Stage D alone.
-template <class Predicate>
-std::optional<int> expansion_sign(const Points<Predicate::kPoints>& p);
 
 }  // namespace predicates::internal

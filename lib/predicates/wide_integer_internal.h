@@ -8,11 +8,12 @@
 /// (docs/math.md, "Integer stage").
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+
+#include "predicates/decode_internal.h"
 
 namespace predicates::internal {
 
@@ -101,20 +102,6 @@ constexpr WideInt<K + L> operator*(const WideInt<K>& a, const WideInt<L>& b) {
   return product;
 }
 
-/// |x| = mantissa * 2^exponent for a finite double x.
-struct Decoded {
-  std::uint64_t mantissa;
-  int exponent;
-};
-
-constexpr Decoded decode(double x) {
-  const auto bits = std::bit_cast<std::uint64_t>(x);
-  const auto fraction = bits & 0xf'ffff'ffff'ffffU;
-  const auto field = static_cast<int>((bits >> 52U) & 0x7ffU);
-  if (field == 0) return {fraction, -1074};
-  return {fraction | (std::uint64_t{1} << 52U), field - 1075};
-}
-
 /// x * 2^-unit as an integer.
 /// @pre x is a multiple of 2^unit and |x| < 2^(unit + 64 kLimbs - 1)
 template <std::size_t kLimbs>
@@ -139,19 +126,5 @@ constexpr WideInt<kLimbs> to_integer(double x, int unit) {
   }
   return x < 0 ? WideInt<kLimbs>{} - magnitude : magnitude;
 }
-
-/// The finest and coarsest bit of a set of doubles: each is a multiple of
-/// 2^low and less than 2^high in magnitude. All zeros: low >= high.
-struct BitSpan {
-  int low = 1024;
-  int high = -1074;
-
-  constexpr void add(double x) {
-    const auto [mantissa, exponent] = decode(x);
-    if (mantissa == 0) return;
-    low = std::min(low, exponent + std::countr_zero(mantissa));
-    high = std::max(high, exponent + 64 - std::countl_zero(mantissa));
-  }
-};
 
 }  // namespace predicates::internal

@@ -89,7 +89,8 @@ Reconstruction Pipeline::run(std::span<const Point3> points) {
   counts.delaunay_cells = triangulation.n_finite_cells();
   // Four facets a cell, each seen from two cells or from outside the hull.
   counts.delaunay_triangles = (4 * counts.delaunay_cells + n_outside) / 2;
-  finish(triangulation, spheres, triangles_of(triangulation, spheres));
+  if (result_.dimension == 3)
+    finish(triangulation, spheres, triangles_of(triangulation, spheres));
   return std::move(result_);
 }
 

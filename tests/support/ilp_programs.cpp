@@ -136,8 +136,8 @@ Problem torus_hole(std::uint32_t size, double extra, std::uint64_t seed) {
     if (t[0] != t[1] && t[1] != t[2]) triangles.push_back(t);
   }
   std::ranges::sort(triangles);
-  const auto repeated = std::ranges::unique(triangles);
-  triangles.erase(repeated.begin(), repeated.end());
+  triangles.erase(std::unique(triangles.begin(), triangles.end()),
+                  triangles.end());
 
   Problem problem = surface_program(triangles);
   for (std::uint32_t t = 0; t < triangles.size(); ++t)

@@ -1,0 +1,204 @@
+// umbrella reconstruct: points in, a closed surface or curve out.
+
+#include "umbrella/reconstruct.h"
+
+#include <sys/resource.h>
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <cstdint>
+#include <cstdio>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "apps/command.h"
+#include "apps/outcome.h"
+#include "apps/report.h"
+#include "apps/terminal.h"
+#include "io/file.h"
+#include "io/mesh.h"
+#include "io/points.h"
+
+namespace command {
+namespace {
+
+struct Options {
+  Request request;
+  std::string out;
+  std::string report;
+  unsigned threads = 1;
+  bool quiet = false;
+  terminal::Color color = terminal::Color::Auto;
+};
+
+// The points of all files, in order; rows count through.
+io::PointSet read_all(const std::vector<std::string>& files) {
+  io::PointSet all;
+  for (const std::string& file : files) {
+    io::PointSet part = io::read_points(file);
+    if (all.points.empty()) {
+      all = std::move(part);
+      continue;
+    }
+    if (part.dimension != all.dimension)
+      throw std::invalid_argument(
+          file + ": points of dimension " + std::to_string(part.dimension) +
+          " after points of dimension " + std::to_string(all.dimension));
+    all.points.insert(all.points.end(), part.points.begin(), part.points.end());
+  }
+  return all;
+}
+
+std::uint64_t peak_memory_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;  // Linux: KiB
+}
+
+report::Json complete(const Outcome& outcome, double read_seconds,
+                      double write_seconds, double total_seconds) {
+  report::Json json = outcome.report;
+  report::Json seconds = {{"read", read_seconds}};
+  seconds.update(json["seconds"]);
+  seconds["write"] = write_seconds;
+  seconds["total"] = total_seconds;
+  json["seconds"] = seconds;
+  json["threads"] = 1;
+  json["peak_memory_bytes"] = peak_memory_bytes();
+  report::add_build(json);
+  return json;
+}
+
+void print_summary(const Options& options, const Outcome& outcome,
+                   double total_seconds) {
+  const bool stdout_is_taken = options.out == "-" || options.report == "-";
+  std::ostream& out = stdout_is_taken ? std::cerr : std::cout;
+  std::array<char, 32> seconds;
+  std::snprintf(seconds.data(), seconds.size(), "%.2f", total_seconds);
+  out << joined(options.request.files) << ": "
+      << outcome.report["input"]["points"] << " points, " << outcome.summary
+      << ", "
+      << terminal::verdict(outcome.state, outcome.sound, options.color,
+                           stdout_is_taken ? 2 : 1)
+      << " (" << seconds.data() << " s)\n";
+}
+
+ExitCode reconstruct(const Options& options) {
+  if (options.out == "-" && options.report == "-")
+    throw std::invalid_argument("-o and --report cannot both be -");
+  const Request& request = options.request;
+  terminal::Progress progress(options.quiet);
+  const StopWatch total;
+  progress.show("read");
+  const io::PointSet points = read_all(request.files);
+  if (!options.out.empty())
+    io::require_mesh_format(options.out, points.dimension);
+  const double read_seconds = total.seconds();
+
+  const Outcome outcome = points.dimension == 2
+                              ? reconstruct_plane(points, request)
+                              : reconstruct_surface(points, request, progress);
+
+  progress.show("write");
+  const StopWatch writing;
+  if (!options.out.empty())
+    io::write_mesh(options.out, outcome.mesh, outcome.lambda);
+  const double write_seconds = writing.seconds();
+  const double total_seconds = total.seconds();
+  if (!options.report.empty())
+    io::write_file(options.report,
+                   report::text(complete(outcome, read_seconds, write_seconds,
+                                         total_seconds)));
+  progress.clear();
+  if (!options.quiet) print_summary(options, outcome, total_seconds);
+  const bool as_asked =
+      outcome.sound || request.stage != umbrella::Stage::Closed;
+  return as_asked ? ExitCode::Done : ExitCode::Open;
+}
+
+void add_options(CLI::App& sub, Options& options) {
+  sub.add_option("in", options.request.files,
+                 "Point files (PLY, OFF, OBJ, STL, text), taken together; - is "
+                 "standard input")
+      ->required()
+      ->type_name("IN");
+  sub.add_option(
+         "-o,--output", options.out,
+         "Mesh file: .ply (with lambda), .off, .obj, .stl; of a curve .ply, "
+         ".obj, .txt; - is standard output, as PLY")
+      ->type_name("OUT");
+  sub.add_option("--stage", options.request.stage,
+                 "Stop after: filter, clean or closed [closed]")
+      ->transform(
+          CLI::CheckedTransformer(std::map<std::string, umbrella::Stage>{
+              {"filter", umbrella::Stage::Filter},
+              {"clean", umbrella::Stage::Clean},
+              {"closed", umbrella::Stage::Closed}}))
+      ->type_name("STAGE");
+  std::vector<std::string> criteria;
+  for (const std::string_view name : umbrella::criterion_names())
+    criteria.emplace_back(name);
+  sub.add_option(
+         "--criterion", options.request.criterion,
+         "What makes a triangle a good one: " + joined(criteria) + " [paper]")
+      ->check(CLI::IsMember(criteria))
+      ->type_name("NAME");
+  sub.add_option("--close", options.request.close,
+                 "best: worst triangles last, no point left out if possible; "
+                 "paper: any solution of the paper's program [best]")
+      ->transform(
+          CLI::CheckedTransformer(std::map<std::string, umbrella::CloseMode>{
+              {"best", umbrella::CloseMode::Best},
+              {"paper", umbrella::CloseMode::Paper}}))
+      ->type_name("MODE");
+  sub.add_option("--threads", options.threads,
+                 "At most so many threads; this version uses one")
+      ->check(CLI::Range(1U, 4096U))
+      ->type_name("N");
+  sub.add_option("--time-limit", options.request.time_limit,
+                 "Seconds for closing; regions undecided by then stay open")
+      ->check(CLI::Range(0.0, 1e9))
+      ->type_name("S");
+  sub.add_option("--report", options.report,
+                 "Counts, times and the certificate as JSON")
+      ->type_name("FILE");
+  sub.add_flag("--quiet", options.quiet, "No summary, no progress");
+  sub.add_option("--color", options.color, "auto, always or never [auto]")
+      ->transform(
+          CLI::CheckedTransformer(std::map<std::string, terminal::Color>{
+              {"auto", terminal::Color::Auto},
+              {"always", terminal::Color::Always},
+              {"never", terminal::Color::Never}}))
+      ->type_name("WHEN");
+}
+
+}  // namespace
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words)
+    text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+void add_reconstruct(CLI::App& app, ExitCode& exit_code) {
+  auto options = std::make_shared<Options>();
+  CLI::App* const sub = app.add_subcommand(
+      "reconstruct", "Put a closed surface or curve through sample points");
+  sub->footer(
+      R"(Without -o nothing but the summary is printed. Exit code 3: the surface is not
+closed, not manifold, or a limit was hit; the report says where.
+
+Examples:
+  umbrella reconstruct scan.ply -o mesh.ply
+  umbrella reconstruct a.xyz b.xyz -o mesh.stl --report mesh.json
+  umbrella reconstruct scan.ply --stage filter -o filtered.ply)");
+  add_options(*sub, *options);
+  sub->callback([options, &exit_code] { exit_code = reconstruct(*options); });
+}
+
+}  // namespace command

@@ -1,0 +1,99 @@
+#include <algorithm>
+#include <iterator>
+#include <stdexcept>
+
+#include "apps/outcome.h"
+#include "umbrella/certificate.h"
+#include "umbrella/curve.h"
+
+namespace command {
+namespace {
+
+using umbrella::Stage;
+
+void require_plane_options(const Request& request) {
+  if (request.criterion != "paper")
+    throw std::invalid_argument("--criterion " + request.criterion +
+                                " is for points in space");
+  if (request.close != umbrella::CloseMode::Best)
+    throw std::invalid_argument("--close paper is for points in space");
+}
+
+umbrella::CurveReconstruction run(const io::PointSet& points,
+                                  const Request& request) {
+  std::vector<Eigen::Vector2d> planar;
+  planar.reserve(points.points.size());
+  for (const Eigen::Vector3d& p : points.points) planar.push_back(p.head<2>());
+  umbrella::CurveOptions options;
+  options.close = request.stage == Stage::Closed;
+  auto result = umbrella::reconstruct_curve(planar, options);
+  if (result.dimension == 2) return result;
+  const std::size_t distinct = result.counts.points - result.counts.duplicates;
+  throw std::invalid_argument(
+      joined(request.files) + ": no curve: " +
+      (distinct < 3 ? std::to_string(distinct) + " distinct points of 3 needed"
+                    : "all points lie on one line"));
+}
+
+report::Json full_report(const Request& request,
+                         const umbrella::CurveReconstruction& result,
+                         const umbrella::CurveReport& curve) {
+  const umbrella::CurveCounts& n = result.counts;
+  report::Json json;
+  json["input"] = {{"files", request.files},
+                   {"points", n.points},
+                   {"duplicates", n.duplicates},
+                   {"dimension", 2}};
+  json["delaunay"] = {{"cells", n.delaunay_cells},
+                      {"edges", n.delaunay_edges},
+                      {"gabriel_edges", n.gabriel_edges}};
+  json["filter"] = {{"edges", n.filter_edges},
+                    {"vertices_without_umbrella", n.filter_without_umbrella}};
+  if (request.stage == Stage::Closed) {
+    const umbrella::CurveClosingReport& c = result.closing;
+    json["closing"] = {{"regions", c.regions},
+                       {"variables", c.variables},
+                       {"feasible", c.feasible},
+                       {"infeasible", c.infeasible},
+                       {"undecided", c.undecided},
+                       {"grown", c.grown},
+                       {"open_points", result.open_rows},
+                       {"conflicts", c.conflicts}};
+  }
+  std::vector<std::uint32_t> unused;  // without the rows of duplicates
+  std::ranges::set_intersection(result.open_rows, curve.unused_vertices,
+                                std::back_inserter(unused));
+  json["surface"] = report::curve(curve, curve.vertices, unused);
+  const umbrella::CurveSeconds& s = result.seconds;
+  json["seconds"] = {{"delaunay", s.delaunay},
+                     {"lambda", s.lambda},
+                     {"filter", s.filter},
+                     {"closing", s.closing}};
+  return json;
+}
+
+}  // namespace
+
+Outcome reconstruct_plane(const io::PointSet& points, const Request& request) {
+  require_plane_options(request);
+  umbrella::CurveReconstruction result = run(points, request);
+  const umbrella::CurveReport curve =
+      umbrella::check_curve(points.points.size(), result.edges);
+  Outcome outcome;
+  outcome.mesh.dimension = 2;
+  const auto vertex = take_used_rows(points, result.edges, outcome.mesh);
+  for (const auto& [a, b] : result.edges)
+    outcome.mesh.edges.push_back({vertex[a], vertex[b]});
+  outcome.report = full_report(request, result, curve);
+  outcome.summary = std::to_string(curve.edges) + " edges, " +
+                    std::to_string(curve.components) +
+                    (curve.components == 1 ? " curve" : " curves");
+  outcome.state = curve.closed ? "closed" : "open";
+  outcome.state += curve.manifold ? ", manifold" : ", not manifold";
+  outcome.sound =
+      curve.closed && curve.manifold && result.closing.undecided == 0;
+  outcome.lambda = std::move(result.lambda);
+  return outcome;
+}
+
+}  // namespace command

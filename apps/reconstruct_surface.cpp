@@ -1,0 +1,114 @@
+#include <stdexcept>
+
+#include "apps/outcome.h"
+
+namespace command {
+namespace {
+
+using report::Json;
+using umbrella::Stage;
+
+umbrella::Reconstruction run(const io::PointSet& points, const Request& request,
+                             terminal::Progress& progress) {
+  umbrella::ReconstructOptions options;
+  options.stage = request.stage;
+  options.criterion = request.criterion;
+  options.closing.mode = request.close;
+  if (request.time_limit) options.closing.seconds = *request.time_limit;
+  options.progress = [&](std::string_view stage) { progress.show(stage); };
+  return umbrella::reconstruct(points.points, options);
+}
+
+void require_space(const Request& request,
+                   const umbrella::Reconstruction& result) {
+  if (result.dimension == 3) return;
+  const std::size_t distinct = result.counts.points - result.counts.duplicates;
+  throw std::invalid_argument(
+      joined(request.files) + ": no surface: " +
+      (distinct < 4 ? std::to_string(distinct) + " distinct points of 4 needed"
+                    : "all points lie in one plane"));
+}
+
+Json stages_report(const Request& request,
+                   const umbrella::Reconstruction& result) {
+  const umbrella::ReconstructCounts& n = result.counts;
+  const umbrella::ClosingReport& c = result.closing;
+  Json json;
+  json["delaunay"] = {{"cells", n.delaunay_cells},
+                      {"triangles", n.delaunay_triangles},
+                      {"gabriel_triangles", n.admissible_triangles}};
+  json["filter"] = {{"triangles", n.filter_triangles},
+                    {"vertices_without_umbrella", n.filter_without_umbrella}};
+  if (request.stage == Stage::Filter) return json;
+  json["clean_up"] = {{"deleted_type2", n.deleted_type2},
+                      {"deleted_type3", n.deleted_type3},
+                      {"dissolved", n.dissolved},
+                      {"triangles", n.clean_triangles},
+                      {"vertices_without_umbrella", n.clean_without_umbrella}};
+  if (request.stage == Stage::Clean) return json;
+  json["holes"] = {{"count", n.holes},
+                   {"largest_vertices", n.largest_hole_vertices},
+                   {"candidate_triangles", c.candidate_triangles}};
+  json["closing"] = {{"regions", c.regions},
+                     {"largest_region_vertices", c.largest_region_vertices},
+                     {"variables", c.variables},
+                     {"feasible", c.feasible},
+                     {"infeasible", c.infeasible},
+                     {"undecided", c.undecided},
+                     {"grown", c.grown},
+                     {"dropped_points", result.dropped_rows},
+                     {"conflicts", c.conflicts}};
+  return json;
+}
+
+Json full_report(const Request& request,
+                 const umbrella::Reconstruction& result) {
+  const umbrella::ReconstructCounts& n = result.counts;
+  Json json;
+  json["input"] = {{"files", request.files},
+                   {"points", n.points},
+                   {"duplicates", n.duplicates},
+                   {"dimension", 3}};
+  json.update(stages_report(request, result));
+  json["surface"] = report::surface(result.surface, result.surface.vertices,
+                                    result.surface.unused_vertices);
+  const umbrella::ReconstructSeconds& s = result.seconds;
+  json["seconds"] = {{"delaunay", s.delaunay}, {"lambda", s.lambda},
+                     {"filter", s.filter},     {"clean_up", s.clean_up},
+                     {"holes", s.holes},       {"closing", s.closing}};
+  return json;
+}
+
+std::string state_of(const umbrella::SurfaceReport& surface) {
+  std::string text = surface.closed ? "closed" : "open";
+  text += surface.manifold ? ", manifold" : ", not manifold";
+  if (surface.boundary_edges > 0)
+    text += ", " + std::to_string(surface.boundary_edges) + " boundary edges";
+  return text;
+}
+
+}  // namespace
+
+Outcome reconstruct_surface(const io::PointSet& points, const Request& request,
+                            terminal::Progress& progress) {
+  umbrella::Reconstruction result = run(points, request, progress);
+  require_space(request, result);
+  Outcome outcome;
+  const auto vertex = take_used_rows(points, result.triangles, outcome.mesh);
+  for (const auto& [a, b, c] : result.triangles)
+    outcome.mesh.triangles.push_back({vertex[a], vertex[b], vertex[c]});
+  outcome.report = full_report(request, result);
+  outcome.summary = std::to_string(result.surface.triangles) + " triangles";
+  if (result.surface.genus)
+    outcome.summary += ", genus " + std::to_string(*result.surface.genus);
+  const std::size_t n_unused = result.surface.unused_vertices.size();
+  if (n_unused > 0)
+    outcome.summary += ", " + std::to_string(n_unused) + " points unused";
+  outcome.state = state_of(result.surface);
+  outcome.sound = result.surface.closed && result.surface.manifold &&
+                  result.closing.undecided == 0;
+  outcome.lambda = std::move(result.lambda);
+  return outcome;
+}
+
+}  // namespace command

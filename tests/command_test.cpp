@@ -1,0 +1,191 @@
+// The command as a user meets it: exit codes, one line of error, whole files.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "command_path.h"
+#include "tests/support/temporary_folder.h"
+
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+using Json = nlohmann::json;
+
+struct Finished {
+  int status;
+  std::string out;
+  std::string err;
+};
+
+class Command : public ::testing::Test {
+ protected:
+  // Runs in the folder of the test, by the shell.
+  Finished run(const std::string& arguments,
+               const std::string& input = "/dev/null") {
+    const std::string line = "cd '" + folder_.path("") + "' && '" +
+                             kCommandPath + "' " + arguments + " >out 2>err <" +
+                             input;
+    const int status = std::system(line.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1,
+            folder_.content("out"), folder_.content("err")};
+  }
+
+  void expect_error(const std::string& arguments, const std::string& text) {
+    SCOPED_TRACE(arguments);
+    const Finished result = run(arguments);
+    EXPECT_EQ(result.status, 2);
+    EXPECT_EQ(result.out, "");
+    EXPECT_THAT(result.err, StartsWith("umbrella: error: "));
+    EXPECT_THAT(result.err, HasSubstr(text));
+    EXPECT_EQ(std::ranges::count(result.err, '\n'), 1);
+  }
+
+  support::TemporaryFolder folder_;
+};
+
+TEST_F(Command, PrintsHelpAndVersion) {
+  EXPECT_THAT(run("--help").out, HasSubstr("Examples:"));
+  EXPECT_EQ(run("--help").status, 0);
+  EXPECT_THAT(run("--version").out, StartsWith("umbrella "));
+  for (const std::string sub : {"reconstruct", "check", "generate"}) {
+    const Finished help = run(sub + " --help");
+    EXPECT_EQ(help.status, 0);
+    EXPECT_THAT(help.out, HasSubstr("Examples:"));
+  }
+}
+
+TEST_F(Command, RefusesBadUsageInOneLine) {
+  folder_.file("p.xyz", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n");
+  expect_error("", "subcommand is required");
+  expect_error("reconstrukt p.xyz", "reconstrukt");
+  expect_error("reconstruct", "in is required");
+  expect_error("reconstruct p.xyz --frobnicate", "--frobnicate");
+  expect_error("reconstruct p.xyz --stage sideways", "sideways");
+  expect_error("reconstruct p.xyz --close worst", "worst");
+  expect_error("reconstruct p.xyz --criterion none", "none");
+  expect_error("reconstruct p.xyz --time-limit -1", "--time-limit");
+  expect_error("reconstruct p.xyz --threads 0", "--threads");
+  expect_error("reconstruct p.xyz --threads two", "--threads");
+  expect_error("reconstruct p.xyz -o mesh.xyz", "mesh.xyz: cannot write");
+  expect_error("reconstruct p.xyz -o no/mesh.ply", "no/mesh.ply: cannot write");
+  expect_error("reconstruct p.xyz -o - --report -", "cannot both be -");
+  expect_error("generate", "is required");
+  expect_error("generate klein-bottle -n 3", "klein-bottle");
+  expect_error("generate knot -n 0", "--count");
+  expect_error("generate knot -n 1e3", "--count");
+  expect_error("generate knot -n 3 --noise -1", "noise");
+  expect_error("check", "mesh is required");
+}
+
+TEST_F(Command, RefusesBadInputInOneLine) {
+  folder_.file("empty.xyz", "");
+  folder_.file("nan.xyz", "0 0 0\n1 nan 0\n");
+  folder_.file("column.xyz", "1 2 3\n4\n");
+  folder_.file("three.xyz", "0 0 0\n1 0 0\n0 1 0\n1 0 0\n");
+  folder_.file("flat.xyz", "0 0 0\n1 0 0\n0 1 0\n1 1 0\n5 7 0\n");
+  folder_.file("two.xy", "0 0\n1 1\n0 0\n");
+  folder_.file("line.xy", "0 0\n1 1\n2 2\n3 3\n");
+  folder_.file("space.xyz", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n");
+  folder_.file("huge.ply",
+               "ply\nformat binary_little_endian 1.0\n"
+               "element vertex 1000000000000\nproperty float x\n"
+               "property float y\nproperty float z\nend_header\nabcd");
+  const std::string make = "reconstruct -o mesh.ply ";
+  expect_error(make + "missing.xyz", "missing.xyz: cannot read: ");
+  expect_error(make + ".", ".: cannot read: ");
+  expect_error(make + "empty.xyz", "empty.xyz: the file is empty");
+  expect_error(make + "nan.xyz", "nan.xyz:2:3: not a finite number: 'nan'");
+  expect_error(make + "column.xyz", "column.xyz:2:1: one column");
+  expect_error(make + "three.xyz", "three.xyz: no surface: 3 distinct points");
+  expect_error(make + "flat.xyz", "flat.xyz: no surface: all points lie in");
+  expect_error(make + "two.xy", "two.xy: no curve: 2 distinct points");
+  expect_error(make + "line.xy", "line.xy: no curve: all points lie on");
+  expect_error(make + "huge.ply", "1000000000000");
+  expect_error(make + "space.xyz line.xy", "line.xy: points of dimension 2");
+  expect_error("check space.xyz", "space.xyz: no PLY, OFF, OBJ or STL file");
+  EXPECT_EQ(folder_.content("mesh.ply"), "");
+}
+
+TEST_F(Command, ReconstructsWhatItGenerates) {
+  ASSERT_EQ(run("generate sphere -n 500 -o sphere.ply").status, 0);
+  const Finished made =
+      run("reconstruct sphere.ply -o mesh.ply --report report.json");
+  EXPECT_EQ(made.status, 0) << made.err;
+  EXPECT_THAT(made.out, HasSubstr("closed, manifold"));
+  EXPECT_EQ(made.err, "");  // no progress: it is no terminal
+  const Json report = Json::parse(folder_.content("report.json"));
+  EXPECT_EQ(report["input"]["points"], 500);
+  EXPECT_EQ(report["surface"]["triangles"], 996);
+  EXPECT_EQ(report["surface"]["genus"], 0);
+  for (const std::string key :
+       {"input", "delaunay", "filter", "clean_up", "holes", "closing",
+        "surface", "seconds", "threads", "peak_memory_bytes", "version",
+        "build"})
+    EXPECT_TRUE(report.contains(key)) << key;
+
+  const Finished check = run("check mesh.ply --points sphere.ply --json");
+  EXPECT_EQ(check.status, 0);
+  const Json certificate = Json::parse(check.out);
+  // Sums depend on the order of their terms; all the rest is exact.
+  for (const auto& [key, value] : report["surface"].items()) {
+    if (value.is_number_float()) continue;
+    EXPECT_EQ(certificate["surface"][key], value) << key;
+  }
+}
+
+TEST_F(Command, ReconstructsCurves) {
+  ASSERT_EQ(run("generate two-circles -n 120 -o circles.xyz").status, 0);
+  const Finished made =
+      run("reconstruct circles.xyz -o curve.ply --report r.json");
+  EXPECT_EQ(made.status, 0) << made.err;
+  const Json report = Json::parse(folder_.content("r.json"));
+  EXPECT_EQ(report["input"]["dimension"], 2);
+  EXPECT_EQ(report["surface"]["edges"], 120);
+  EXPECT_EQ(report["surface"]["components"], 2);
+  EXPECT_EQ(run("check curve.ply --points circles.xyz").status, 0);
+}
+
+TEST_F(Command, CheckFindsWhatIsWrong) {
+  folder_.file("open.off",
+               "OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n"
+               "3 0 2 1\n3 0 1 3\n3 1 2 3\n");
+  const Finished open = run("check open.off --json");
+  EXPECT_EQ(open.status, 3);
+  EXPECT_EQ(Json::parse(open.out)["surface"]["boundary_edges"], 3);
+  folder_.file("closed.off",
+               "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n"
+               "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n");
+  EXPECT_EQ(run("check closed.off").status, 0);
+  folder_.file("more.xyz", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n5 5 5\n");
+  const Finished more = run("check closed.off --points more.xyz --json");
+  EXPECT_EQ(more.status, 3);
+  EXPECT_EQ(Json::parse(more.out)["surface"]["unused_points"], Json({4}));
+}
+
+TEST_F(Command, StopsAfterTheStageAskedFor) {
+  ASSERT_EQ(run("generate knot -n 1000 -o knot.ply").status, 0);
+  EXPECT_EQ(run("reconstruct knot.ply --stage filter -o f.ply --report f.json")
+                .status,
+            0);
+  const Json report = Json::parse(folder_.content("f.json"));
+  EXPECT_EQ(report["surface"]["triangles"], report["filter"]["triangles"]);
+  EXPECT_FALSE(report.contains("closing"));
+}
+
+TEST_F(Command, ReadsAndWritesStandardStreams) {
+  folder_.file("sphere.xyz", run("generate sphere -n 300").out);
+  const Finished made = run("reconstruct - --quiet -o -", "sphere.xyz");
+  EXPECT_EQ(made.status, 0) << made.err;
+  EXPECT_EQ(made.err, "");
+  folder_.file("mesh", made.out);
+  EXPECT_EQ(run("check - --points sphere.xyz", "mesh").status, 0);
+}
+
+}  // namespace
