@@ -22,11 +22,16 @@ struct Step {
   std::uint8_t next_state;
 };
 
-/// States are (entry corner, direction), numbered entry * d + direction.
+/// The curve's steps, one level or several at once. States are (entry corner,
+/// direction), numbered entry * d + direction.
 template <int kDim>
 struct HilbertTable {
   static constexpr unsigned kCorners = 1U << kDim;
-  std::array<std::array<Step, kCorners>, kCorners * kDim> step;
+  static constexpr unsigned kStates = kCorners * kDim;
+  /// Levels taken in one look-up: as many as make six bits.
+  static constexpr unsigned kLevels = 6 / kDim;
+  static constexpr unsigned kStepBits = 6;
+  std::array<std::array<Step, 1U << kStepBits>, kStates> step;
 
   static constexpr unsigned rotate_left(unsigned bits, unsigned by) {
     by %= kDim;
@@ -47,27 +52,59 @@ struct HilbertTable {
     const unsigned i = w % 2 == 0 ? w - 1 : w;
     return static_cast<unsigned>(std::countr_one(i)) % kDim;
   }
+  static constexpr Step one_level(unsigned state, unsigned corner) {
+    const unsigned e = state / kDim;
+    const unsigned d = state % kDim;
+    const unsigned w =
+        gray_inverse(rotate_left(corner ^ e, kDim - (d + 1) % kDim));
+    const unsigned next_e = e ^ rotate_left(entry(w), d + 1);
+    const unsigned next_d = (d + direction(w) + 1) % kDim;
+    return {static_cast<std::uint8_t>(w),
+            static_cast<std::uint8_t>(next_e * kDim + next_d)};
+  }
 
   constexpr HilbertTable() : step() {
-    for (unsigned e = 0; e < kCorners; ++e)
-      for (unsigned d = 0; d < kDim; ++d)
-        for (unsigned corner = 0; corner < kCorners; ++corner) {
-          const unsigned w =
-              gray_inverse(rotate_left(corner ^ e, kDim - (d + 1) % kDim));
-          const unsigned next_e = e ^ rotate_left(entry(w), d + 1);
-          const unsigned next_d = (d + direction(w) + 1) % kDim;
-          step[e * kDim + d][corner] = {
-              static_cast<std::uint8_t>(w),
-              static_cast<std::uint8_t>(next_e * kDim + next_d)};
+    for (unsigned state = 0; state < kStates; ++state)
+      for (unsigned corners = 0; corners < 1U << kStepBits; ++corners) {
+        unsigned rank = 0;
+        unsigned at = state;
+        for (unsigned level = kLevels; level-- > 0;) {
+          const Step s =
+              one_level(at, (corners >> (kDim * level)) & (kCorners - 1));
+          rank = (rank << kDim) | s.rank;
+          at = s.next_state;
         }
+        step[state][corners] = {static_cast<std::uint8_t>(rank),
+                                static_cast<std::uint8_t>(at)};
+      }
   }
 };
 
+/// Bits of the finest grid's coordinates: ten look-ups.
 template <int kDim>
-using Point = Eigen::Matrix<double, kDim, 1>;
+inline constexpr unsigned kBits = 10 * HilbertTable<kDim>::kLevels;
+
+// Moves bit i of the coordinate to bit d * i.
+template <int kDim>
+std::uint64_t spread(std::uint64_t x) {
+  if constexpr (kDim == 3) {
+    x = (x | x << 32U) & 0x001f'0000'0000'ffffU;
+    x = (x | x << 16U) & 0x001f'0000'ff00'00ffU;
+    x = (x | x << 8U) & 0x100f'00f0'0f00'f00fU;
+    x = (x | x << 4U) & 0x10c3'0c30'c30c'30c3U;
+    x = (x | x << 2U) & 0x1249'2492'4924'9249U;
+  } else {
+    x = (x | x << 16U) & 0x0000'ffff'0000'ffffU;
+    x = (x | x << 8U) & 0x00ff'00ff'00ff'00ffU;
+    x = (x | x << 4U) & 0x0f0f'0f0f'0f0f'0f0fU;
+    x = (x | x << 2U) & 0x3333'3333'3333'3333U;
+    x = (x | x << 1U) & 0x5555'5555'5555'5555U;
+  }
+  return x;
+}
 
 template <int kDim>
-inline constexpr unsigned kBits = kDim == 2 ? 31 : 21;
+using Point = Eigen::Matrix<double, kDim, 1>;
 
 struct Keyed {
   std::uint64_t key;
@@ -85,21 +122,21 @@ class Quantizer {
   std::uint64_t key(const Point<kDim>& p) const {
     static constexpr HilbertTable<kDim> kTable;
     static constexpr double kGrid = static_cast<double>(1ULL << kBits<kDim>);
-    std::array<std::uint32_t, kDim> cell{};
+    static constexpr unsigned kStepBits = HilbertTable<kDim>::kStepBits;
+    std::uint64_t corners = 0;  // of all levels, interleaved
     for (int i = 0; i < kDim; ++i) {
       const double t =
           half_side_ > 0 ? (0.5 * p[i] - half_low_[i]) / half_side_ : 0;
-      cell[i] = static_cast<std::uint32_t>(std::min(t * kGrid, kGrid - 1));
+      const auto cell = static_cast<std::uint64_t>(
+          static_cast<std::int64_t>(std::min(t * kGrid, kGrid - 1)));
+      corners |= spread<kDim>(cell) << static_cast<unsigned>(i);
     }
     std::uint64_t key = 0;
     unsigned state = 0;
-    for (int bit = kBits<kDim> - 1; bit >= 0; --bit) {
-      unsigned corner = 0;
-      for (int i = 0; i < kDim; ++i)
-        corner |= ((cell[i] >> static_cast<unsigned>(bit)) & 1U)
-                  << static_cast<unsigned>(i);
-      const Step s = kTable.step[state][corner];
-      key = (key << static_cast<unsigned>(kDim)) | s.rank;
+    for (unsigned shift = 10 * kStepBits; shift > 0;) {
+      shift -= kStepBits;
+      const Step s = kTable.step[state][(corners >> shift) & 63U];
+      key = (key << kStepBits) | s.rank;
       state = s.next_state;
     }
     return key;
@@ -121,6 +158,28 @@ void check_finite(std::span<const Point<kDim>> points) {
                                   ": a coordinate is not finite");
 }
 
+/// By key, then row: into buckets by the leading bits, a dozen each if the
+/// points are spread evenly, then each bucket by comparison.
+void sort_by_key(std::span<Keyed> range) {
+  static constexpr unsigned kKeyBits = 60;
+  const auto less = [](const Keyed& a, const Keyed& b) {
+    return a.key != b.key ? a.key < b.key : a.row < b.row;
+  };
+  static constexpr unsigned kFewBits = 6;
+  static constexpr unsigned kManyBits = 22;
+  const auto size_bits = static_cast<unsigned>(std::bit_width(range.size()));
+  const unsigned bits = std::clamp(size_bits, kFewBits + 4, kManyBits + 4) - 4;
+  const unsigned shift = kKeyBits - bits;
+  std::vector<std::uint32_t> end((std::size_t{1} << bits) + 1, 0);
+  for (const Keyed& k : range) ++end[(k.key >> shift) + 1];
+  for (std::size_t b = 1; b < end.size(); ++b) end[b] += end[b - 1];
+  const std::vector<Keyed> unsorted(range.begin(), range.end());
+  for (const Keyed& k : unsorted) range[end[k.key >> shift]++] = k;
+  std::uint32_t begin = 0;
+  for (std::size_t b = 0; b + 1 < end.size(); begin = end[b++])
+    std::sort(range.begin() + begin, range.begin() + end[b], less);
+}
+
 /// Sorts one range of rows along the curve through its own bounding cube.
 template <int kDim>
 void sort_along_curve(std::span<const Point<kDim>> points,
@@ -133,9 +192,7 @@ void sort_along_curve(std::span<const Point<kDim>> points,
   }
   const Quantizer<kDim> quantizer(low, high);
   for (Keyed& k : range) k.key = quantizer.key(points[k.row]);
-  std::ranges::sort(range, [](const Keyed& a, const Keyed& b) {
-    return a.key != b.key ? a.key < b.key : a.row < b.row;
-  });
+  sort_by_key(range);
 }
 
 template <int kDim>
