@@ -19,17 +19,34 @@ std::vector<Piece> PieceFinder::find(const Change& change,
             });
 
   std::vector<Piece> pieces;
-  n_pieces_ = 1;
+  n_pieces_ = kLarge;
   for (const LocatedTriangle& t : chosen) {
     const VertexId start = t.corners[0];
-    if (piece_of_[index(start)] != 0) continue;
+    if (piece_of_[index(start)] != kNotReached) continue;
     Piece piece;
     if (explore(start, change, is_open, piece)) pieces.push_back(piece);
   }
-  for (const VertexId v : reached_) piece_of_[index(v)] = 0;
+  for (const VertexId v : reached_) piece_of_[index(v)] = kNotReached;
   reached_.clear();
   for (const TriangleIndex t : freed) is_freed_[t] = false;
   return pieces;
+}
+
+/// Calls visit for each triangle at v on the changed surface. @return whether a
+///   chosen one is among them
+template <class Visit>
+bool PieceFinder::for_each_at(VertexId v, const Change& change,
+                              Visit visit) const {
+  surface_.for_each_at(v, [&](TriangleIndex t) {
+    if (!is_freed_[t]) visit(surface_.corners(t));
+  });
+  const auto first = std::lower_bound(
+      corners_.begin(), corners_.end(), v,
+      [](const Corner& c, VertexId wanted) { return c.vertex < wanted; });
+  auto at = first;
+  for (; at != corners_.end() && at->vertex == v; ++at)
+    visit(change.chosen[at->triangle].corners);
+  return at != first;
 }
 
 /// Walks over all triangles that hang together with `start`; stops as soon as
@@ -39,43 +56,31 @@ bool PieceFinder::explore(VertexId start, const Change& change,
   const std::uint32_t name = ++n_pieces_;
   const std::size_t first = reached_.size();
   bool is_large = false;
-  const auto waits = [&](VertexId v) {
-    return is_open[index(v)] && !std::binary_search(change.vertices.begin(),
-                                                    change.vertices.end(), v);
-  };
   const auto enter = [&](VertexId v) {
     std::uint32_t& known = piece_of_[index(v)];
-    is_large = is_large || known == 1 || waits(v);
-    if (known != 0) return;
+    const bool waits =
+        is_open[index(v)] &&
+        !std::binary_search(change.vertices.begin(), change.vertices.end(), v);
+    is_large = is_large || known == kLarge || waits;
+    if (known != kNotReached) return;
     known = name;
     reached_.push_back(v);
-  };
-  // Each triangle is met at its three corners, and counted at the first.
-  const auto meet = [&](const Triangle& t, VertexId v) {
-    for (const VertexId corner : t) enter(corner);
-    if (t[0] == v) ++piece.n_triangles;
   };
   enter(start);
   for (std::size_t i = first; i < reached_.size() && !is_large; ++i) {
     const VertexId v = reached_[i];
-    surface_.for_each_at(v, [&](TriangleIndex t) {
-      if (!is_freed_[t]) meet(surface_.corners(t), v);
+    const bool has_chosen = for_each_at(v, change, [&](const Triangle& t) {
+      for (const VertexId corner : t) enter(corner);
+      if (t[0] == v) ++piece.n_triangles;  // each is met at three corners
     });
-    auto at = std::lower_bound(
-        corners_.begin(), corners_.end(), v,
-        [](const Corner& c, VertexId wanted) { return c.vertex < wanted; });
-    if (at != corners_.end() && at->vertex == v) piece.vertices.push_back(v);
-    for (; at != corners_.end() && at->vertex == v; ++at)
-      meet(change.chosen[at->triangle].corners, v);
+    if (has_chosen) piece.vertices.push_back(v);
     is_large = is_large || piece.n_triangles > limit_;
   }
-  if (is_large) {
+  if (is_large)
     for (std::size_t i = first; i < reached_.size(); ++i)
-      piece_of_[index(reached_[i])] = 1;
-    return false;
-  }
+      piece_of_[index(reached_[i])] = kLarge;
   std::sort(piece.vertices.begin(), piece.vertices.end());
-  return true;
+  return !is_large;
 }
 
 }  // namespace umbrella

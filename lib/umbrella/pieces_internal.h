@@ -42,18 +42,23 @@ class PieceFinder {
                           const std::vector<bool>& is_open);
 
  private:
+  static constexpr std::uint32_t kNotReached = 0;
+  static constexpr std::uint32_t kLarge = 1;  // pieces are counted from here
+
   struct Corner {
     VertexId vertex;
     std::uint32_t triangle;  // position in `chosen`
   };
 
+  template <class Visit>
+  bool for_each_at(VertexId v, const Change& change, Visit visit) const;
   bool explore(VertexId start, const Change& change,
                const std::vector<bool>& is_open, Piece& piece);
 
   const WorkingSurface& surface_;
   std::size_t limit_;
-  std::vector<std::uint32_t> piece_of_;  // 0: not reached; 1: a large one
-  std::vector<VertexId> reached_;        // where piece_of_ is not 0
+  std::vector<std::uint32_t> piece_of_;  // by vertex
+  std::vector<VertexId> reached_;        // where that is not kNotReached
   std::vector<Corner> corners_;          // of `chosen`, by vertex
   std::vector<bool> is_freed_;
   std::uint32_t n_pieces_ = 0;
