@@ -3,8 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <map>
+#include <numeric>
 #include <random>
+#include <set>
 #include <stdexcept>
+#include <vector>
 
 #include "tests/support/meshes.h"
 
@@ -139,6 +144,96 @@ TEST(CheckSurface, FindsDegenerateAndRepeatedTriangles) {
   EXPECT_EQ(report.degenerate_triangles, 1U);
   EXPECT_EQ(report.duplicate_triangles, 1U);
   EXPECT_FALSE(report.closed || report.manifold);
+}
+
+/// Edges of a mesh with the triangles on each, as often as they run along it.
+std::map<IndexedEdge, std::vector<std::size_t>> triangles_by_edge(
+    const std::vector<IndexedTriangle>& triangles) {
+  std::map<IndexedEdge, std::vector<std::size_t>> edges;
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto [low, high] =
+          std::minmax(triangles[t][i], triangles[t][(i + 1) % 3]);
+      if (low != high) edges[{low, high}].push_back(t);
+    }
+  return edges;
+}
+
+/// By the definition: no three triangles at an edge of the vertex, and from
+/// each of its triangles every other is reached across such edges.
+bool is_fan_or_umbrella(const std::vector<IndexedTriangle>& triangles,
+                        std::uint32_t v) {
+  std::set<std::size_t> at_v, reached;
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    if (std::count(triangles[t].begin(), triangles[t].end(), v) > 0)
+      at_v.insert(t);
+  reached.insert(*at_v.begin());
+  const auto edges = triangles_by_edge(triangles);
+  for (std::size_t round = 0; round < at_v.size(); ++round)
+    for (const auto& [edge, on_edge] : edges) {
+      if (edge[0] != v && edge[1] != v) continue;
+      if (on_edge.size() > 2) return false;
+      for (const std::size_t t : on_edge)
+        if (reached.contains(t)) reached.insert(on_edge.begin(), on_edge.end());
+    }
+  return reached == at_v;
+}
+
+std::vector<IndexedTriangle> random_triangles(std::uint32_t n_vertices,
+                                              std::mt19937_64& rng) {
+  std::vector<std::uint32_t> rows(n_vertices);
+  std::iota(rows.begin(), rows.end(), 0U);
+  std::vector<IndexedTriangle> triangles(1 + rng() % 9);
+  for (IndexedTriangle& t : triangles) {
+    std::shuffle(rows.begin(), rows.end(), rng);
+    t = {rows[0], rows[1], rows[2]};
+  }
+  return triangles;
+}
+
+TEST(CheckSurface, CountsEdgesAndRepetitionsAsTheDefinitionsSay) {
+  std::mt19937_64 rng(4);
+  const std::vector<Eigen::Vector3d> vertices(7, Eigen::Vector3d::Zero());
+  for (int trial = 0; trial < 2000; ++trial) {
+    SCOPED_TRACE(testing::Message() << "trial " << trial);
+    const auto triangles = random_triangles(7, rng);
+    const SurfaceReport report = check_surface(vertices, triangles);
+    std::size_t n_boundary = 0, n_nonmanifold = 0;
+    const auto edges = triangles_by_edge(triangles);
+    for (const auto& [edge, on_edge] : edges) {
+      n_boundary += on_edge.size() == 1 ? 1 : 0;
+      n_nonmanifold += on_edge.size() > 2 ? 1 : 0;
+    }
+    EXPECT_EQ(report.boundary_edges, n_boundary);
+    EXPECT_EQ(report.nonmanifold_edges, n_nonmanifold);
+    EXPECT_EQ(report.euler, static_cast<std::int64_t>(report.vertices) -
+                                static_cast<std::int64_t>(edges.size()) +
+                                static_cast<std::int64_t>(triangles.size()));
+    std::set<std::set<std::uint32_t>> corner_sets;
+    for (const IndexedTriangle& t : triangles)
+      corner_sets.insert({t.begin(), t.end()});
+    EXPECT_EQ(report.duplicate_triangles,
+              triangles.size() - corner_sets.size());
+  }
+}
+
+TEST(CheckSurface, CountsVerticesAsTheDefinitionsSay) {
+  std::mt19937_64 rng(5);
+  const std::vector<Eigen::Vector3d> vertices(6, Eigen::Vector3d::Zero());
+  std::size_t n_sound_in_all = 0;
+  for (int trial = 0; trial < 2000; ++trial) {
+    SCOPED_TRACE(testing::Message() << "trial " << trial);
+    const auto triangles = random_triangles(6, rng);
+    std::set<std::uint32_t> used, bad;
+    for (const IndexedTriangle& t : triangles) used.insert(t.begin(), t.end());
+    for (const std::uint32_t v : used)
+      if (!is_fan_or_umbrella(triangles, v)) bad.insert(v);
+    const SurfaceReport report = check_surface(vertices, triangles);
+    EXPECT_EQ(report.vertices, used.size());
+    EXPECT_EQ(report.nonmanifold_vertices, bad.size());
+    n_sound_in_all += used.size() - bad.size();
+  }
+  EXPECT_GT(n_sound_in_all, 1000U);
 }
 
 TEST(CheckSurface, KnowsTheEmptyMesh) {

@@ -1,15 +1,16 @@
-// Everything is read off two lists: the sides of the triangles by edge, and
-// their corners by vertex, both put into buckets first. Degenerate and repeated
-// triangles are counted, and take part in all the rest as they are.
+// A mesh is judged star by star: the edges at a vertex, sorted by their other
+// end, tell how many triangles lie on each and how the triangles follow one
+// another around the vertex. Degenerate and repeated triangles are counted, and
+// take part in all the rest as they are.
 #include "umbrella/certificate.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <compare>
+#include <limits>
 #include <numeric>
 #include <stdexcept>
 #include <string>
-#include <utility>
 
 namespace umbrella {
 namespace {
@@ -23,12 +24,7 @@ class Components {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;
   }
-  /// @return whether they were apart
-  bool join(std::uint32_t i, std::uint32_t k) {
-    const std::uint32_t a = root(i), b = root(k);
-    parent_[a] = b;
-    return a != b;
-  }
+  void join(std::uint32_t i, std::uint32_t k) { parent_[root(i)] = root(k); }
 
  private:
   std::vector<std::uint32_t> parent_;
@@ -46,34 +42,13 @@ void require_rows(
                                     " of " + std::to_string(n_vertices));
 }
 
-/// Puts items into buckets by a key below n_keys, ascending within each.
-/// @return where each bucket begins, and the end
-template <class Item, class Key>
-std::vector<std::uint32_t> sort_into_buckets(std::vector<Item>& items,
-                                             std::size_t n_keys, Key key) {
-  std::vector<std::uint32_t> first(n_keys + 1);
-  for (const Item& item : items) ++first[key(item)];
-  std::partial_sum(first.begin(), first.end(), first.begin());
-  std::vector<Item> sorted(items.size());
-  for (const Item& item : items) sorted[--first[key(item)]] = item;
-  for (std::size_t k = 0; k < n_keys; ++k)
-    std::sort(sorted.begin() + first[k], sorted.begin() + first[k + 1]);
-  items = std::move(sorted);
-  return first;
-}
-
-/// How often a simplex has the corners of an earlier one.
-template <std::size_t kCorners>
-std::size_t n_repeated(
-    std::span<const std::array<std::uint32_t, kCorners>> simplices,
-    std::size_t n_vertices) {
-  std::vector<std::array<std::uint32_t, kCorners>> sorted(simplices.begin(),
-                                                          simplices.end());
-  for (auto& s : sorted) std::sort(s.begin(), s.end());
-  sort_into_buckets(sorted, n_vertices, [](const auto& s) { return s[0]; });
+/// How many items equal an earlier one. Sorts them.
+template <class Item>
+std::size_t count_repeated(std::vector<Item>& items) {
+  std::sort(items.begin(), items.end());
   std::size_t n = 0;
-  for (std::size_t i = 1; i < sorted.size(); ++i)
-    n += sorted[i] == sorted[i - 1] ? 1 : 0;
+  for (std::size_t i = 1; i < items.size(); ++i)
+    n += items[i] == items[i - 1] ? 1 : 0;
   return n;
 }
 
@@ -84,50 +59,107 @@ std::vector<std::uint32_t> rows_without(const std::vector<bool>& is_used) {
   return rows;
 }
 
-/// A triangle's way along one of its edges.
-struct Side {
-  std::uint32_t low, high;  // ends of the edge
-  std::uint32_t triangle;
-  bool upward;  // from low to high
+/// A side of a triangle that ends at the vertex looked at.
+class Spoke {
+ public:
+  /// @param end   the other end of the edge
+  /// @param slot  2 k: the k-th triangle at the vertex leaves it here; 2 k + 1:
+  ///   it comes back here
+  Spoke(std::uint32_t end, std::size_t slot)
+      : key_(std::uint64_t{end} << 32U | slot) {}
 
-  friend auto operator<=>(const Side&, const Side&) = default;
+  std::uint32_t end() const { return static_cast<std::uint32_t>(key_ >> 32U); }
+  std::uint32_t slot() const { return static_cast<std::uint32_t>(key_); }
+  bool leaves() const { return slot() % 2 == 0; }
+
+  friend auto operator<=>(Spoke, Spoke) = default;
+
+ private:
+  std::uint64_t key_;
 };
 
-std::vector<Side> sorted_sides(std::span<const IndexedTriangle> triangles,
-                               std::size_t n_vertices) {
-  std::vector<Side> sides;
-  sides.reserve(3 * triangles.size());
-  for (std::uint32_t t = 0; t < triangles.size(); ++t)
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint32_t a = triangles[t][i], b = triangles[t][(i + 1) % 3];
-      if (a != b) sides.push_back({std::min(a, b), std::max(a, b), t, a < b});
-    }
-  sort_into_buckets(sides, n_vertices, [](const Side& s) { return s.low; });
-  return sides;
-}
+/// The triangles at one vertex.
+struct Star {
+  std::uint32_t vertex;
+  std::span<const std::uint32_t> corners;  // 3 t + i: entry i of triangle t
+  std::span<const Spoke> spokes;           // ascending
 
-/// Calls visit(sides of one edge) for each edge.
+  std::uint32_t triangle(Spoke s) const { return corners[s.slot() / 2] / 3; }
+};
+
+/// All stars of a mesh.
+class Stars {
+ public:
+  Stars(std::size_t n_vertices, std::span<const IndexedTriangle> triangles)
+      : triangles_(triangles),
+        first_(n_vertices + 1),
+        corners_(3 * triangles.size()) {
+    for (const IndexedTriangle& t : triangles)
+      for (const std::uint32_t v : t) ++first_[v];
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    for (auto c = static_cast<std::uint32_t>(corners_.size()); c-- > 0;)
+      corners_[--first_[triangles[c / 3][c % 3]]] = c;
+  }
+
+  std::size_t n_vertices() const { return first_.size() - 1; }
+
+  /// Calls visit(Star) for each vertex; the star is gone after the call.
+  template <class Visit>
+  void for_each(Visit visit) const {
+    std::vector<Spoke> spokes;
+    for (std::uint32_t v = 0; v < n_vertices(); ++v) {
+      const auto at_v =
+          std::span(corners_).subspan(first_[v], first_[v + 1] - first_[v]);
+      spokes.clear();
+      for (std::size_t k = 0; k < at_v.size(); ++k) {
+        const IndexedTriangle& t = triangles_[at_v[k] / 3];
+        const std::uint32_t i = at_v[k] % 3;
+        spokes.emplace_back(t[i == 2 ? 0 : i + 1], 2 * k);
+        spokes.emplace_back(t[i == 0 ? 2 : i - 1], 2 * k + 1);
+      }
+      std::sort(spokes.begin(), spokes.end());
+      visit(Star{v, at_v, spokes});
+    }
+  }
+
+ private:
+  std::span<const IndexedTriangle> triangles_;
+  std::vector<std::uint32_t> first_;  // of a vertex: its part of corners_
+  std::vector<std::uint32_t> corners_;
+};
+
+/// Calls visit(spokes on one edge) for each edge at the vertex.
 template <class Visit>
-void for_each_edge(std::span<const Side> sides, Visit visit) {
-  for (std::size_t i = 0; i < sides.size();) {
+void for_each_edge(const Star& star, Visit visit) {
+  const auto& spokes = star.spokes;
+  for (std::size_t i = 0; i < spokes.size();) {
     std::size_t end = i + 1;
-    while (end < sides.size() && sides[end].low == sides[i].low &&
-           sides[end].high == sides[i].high)
-      ++end;
-    visit(sides.subspan(i, end - i));
+    while (end < spokes.size() && spokes[end].end() == spokes[i].end()) ++end;
+    visit(spokes.subspan(i, end - i));
     i = end;
   }
 }
 
+/// Calls visit(Star, spokes on one edge) for each edge of the mesh, at its
+/// lower end.
+template <class Visit>
+void for_each_edge(const Stars& stars, Visit visit) {
+  stars.for_each([&](const Star& star) {
+    for_each_edge(star, [&](std::span<const Spoke> edge) {
+      if (star.vertex < edge[0].end()) visit(star, edge);
+    });
+  });
+}
+
 /// Whether the triangles can be turned so that neighbours run along each edge
 /// opposite ways: no odd cycle among 2 n nodes, t as it is and t turned.
-bool can_be_oriented(std::size_t n_triangles, std::span<const Side> sides) {
+bool can_be_oriented(std::size_t n_triangles, const Stars& stars) {
   const auto n = static_cast<std::uint32_t>(n_triangles);
   Components turns(2 * n_triangles);
-  for_each_edge(sides, [&](std::span<const Side> edge) {
+  for_each_edge(stars, [&](const Star& star, std::span<const Spoke> edge) {
     if (edge.size() != 2) return;
-    const std::uint32_t a = edge[0].triangle, b = edge[1].triangle;
-    const std::uint32_t shift = edge[0].upward == edge[1].upward ? n : 0;
+    const std::uint32_t a = star.triangle(edge[0]), b = star.triangle(edge[1]);
+    const std::uint32_t shift = edge[0].leaves() == edge[1].leaves() ? n : 0;
     turns.join(a, b + shift);
     turns.join(a + n, b + n - shift);
   });
@@ -136,86 +168,103 @@ bool can_be_oriented(std::size_t n_triangles, std::span<const Side> sides) {
   return true;
 }
 
-/// Whether the edges, each opposite one vertex in a triangle, are one path or
-/// one cycle.
-/// @param ends  scratch
-bool is_fan_or_umbrella(std::span<const IndexedEdge> link,
-                        std::vector<std::uint32_t>& ends) {
-  ends.clear();
-  for (const auto& [p, q] : link) {
-    if (p == q) return false;
-    ends.push_back(p);
-    ends.push_back(q);
+/// Counts what is wrong with each star.
+class StarJudge {
+ public:
+  StarJudge(std::span<const IndexedTriangle> triangles, SurfaceReport& report,
+            Components& components)
+      : triangles_(triangles), report_(report), components_(components) {}
+
+  void operator()(const Star& star) {
+    if (star.corners.empty()) {
+      report_.unused_vertices.push_back(star.vertex);
+      return;
+    }
+    for_each_edge(star, [&](std::span<const Spoke> edge) {
+      if (star.vertex < edge[0].end()) judge_edge(star, edge);
+    });
+    report_.nonmanifold_vertices += is_fan_or_umbrella(star) ? 0 : 1;
+    report_.duplicate_triangles += count_repeated_at(star);
   }
-  std::sort(ends.begin(), ends.end());
-  for (std::size_t i = 2; i < ends.size(); ++i)
-    if (ends[i] == ends[i - 2]) return false;  // three triangles at an edge
-  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
 
-  // No node has three edges, so it is one part exactly if it is connected.
-  const auto position = [&](std::uint32_t node) {
-    return static_cast<std::uint32_t>(
-        std::lower_bound(ends.begin(), ends.end(), node) - ends.begin());
-  };
-  Components parts(ends.size());
-  std::size_t n_parts = ends.size();
-  for (const auto& [p, q] : link)
-    n_parts -= parts.join(position(p), position(q)) ? 1 : 0;
-  return n_parts == 1;
-}
+  std::size_t n_edges() const { return n_edges_; }
 
-struct Corner {
-  std::uint32_t vertex;
-  IndexedEdge opposite;
+ private:
+  void judge_edge(const Star& star, std::span<const Spoke> edge) {
+    ++n_edges_;
+    report_.boundary_edges += edge.size() == 1 ? 1 : 0;
+    report_.nonmanifold_edges += edge.size() > 2 ? 1 : 0;
+    if (edge.size() == 2 && edge[0].leaves() == edge[1].leaves())
+      report_.oriented = false;
+    for (const Spoke side : edge.subspan(1))
+      components_.join(star.triangle(side), star.triangle(edge[0]));
+  }
 
-  friend auto operator<=>(const Corner&, const Corner&) = default;
+  /// Walks from triangle to triangle around the vertex, from where the first
+  /// one begins if there is such a place: one fan or umbrella meets all.
+  bool is_fan_or_umbrella(const Star& star) {
+    partner_.assign(star.spokes.size(), kNone);
+    bool is_simple = true;
+    std::uint32_t start = 0;
+    for_each_edge(star, [&](std::span<const Spoke> edge) {
+      const std::uint32_t a = edge.front().slot(), b = edge.back().slot();
+      if (edge.size() == 1) {
+        start = a;
+        return;
+      }
+      is_simple = is_simple && edge.size() == 2 && a / 2 != b / 2;
+      partner_[a] = b;
+      partner_[b] = a;
+    });
+    if (!is_simple) return false;
+    std::size_t n_met = 0;
+    std::uint32_t slot = start;
+    do {
+      ++n_met;
+      slot = partner_[slot ^ 1U];
+    } while (slot != kNone && slot != start);
+    return n_met == star.corners.size();
+  }
+
+  /// Among the triangles whose lowest corner this is.
+  std::size_t count_repeated_at(const Star& star) {
+    others_.clear();
+    for (std::size_t k = 0; k < star.corners.size(); ++k) {
+      IndexedTriangle t = triangles_[star.corners[k] / 3];
+      const bool is_met_again =
+          k > 0 && star.corners[k] / 3 == star.corners[k - 1] / 3;
+      if (is_met_again || std::min({t[0], t[1], t[2]}) != star.vertex) continue;
+      std::sort(t.begin(), t.end());
+      others_.push_back({t[1], t[2]});
+    }
+    return count_repeated(others_);
+  }
+
+  static constexpr std::uint32_t kNone =
+      std::numeric_limits<std::uint32_t>::max();
+
+  std::span<const IndexedTriangle> triangles_;
+  SurfaceReport& report_;
+  Components& components_;
+  std::size_t n_edges_ = 0;
+  std::vector<std::uint32_t> partner_;  // of a slot: the one across the edge
+  std::vector<IndexedEdge> others_;
 };
 
-std::size_t count_nonmanifold_vertices(
-    std::span<const IndexedTriangle> triangles, std::size_t n_vertices) {
-  std::vector<Corner> corners;
-  corners.reserve(3 * triangles.size());
-  for (const auto& [a, b, c] : triangles) {
-    corners.push_back({a, {b, c}});
-    corners.push_back({b, {c, a}});
-    corners.push_back({c, {a, b}});
-  }
-  const auto first = sort_into_buckets(
-      corners, n_vertices, [](const Corner& c) { return c.vertex; });
-  std::size_t n = 0;
-  std::vector<IndexedEdge> link;
-  std::vector<std::uint32_t> ends;
-  for (std::size_t v = 0; v < n_vertices; ++v) {
-    if (first[v] == first[v + 1]) continue;
-    link.clear();
-    for (std::uint32_t i = first[v]; i < first[v + 1]; ++i)
-      link.push_back(corners[i].opposite);
-    n += is_fan_or_umbrella(link, ends) ? 0 : 1;
-  }
-  return n;
-}
-
-/// Counts of edges and components, and the orientation.
-void judge_edges(std::span<const IndexedTriangle> triangles,
-                 std::span<const Side> sides, SurfaceReport& report,
-                 Components& components) {
-  std::size_t n_edges = 0;
+/// All counts, and the orientation.
+void judge_stars(const Stars& stars, std::span<const IndexedTriangle> triangles,
+                 SurfaceReport& report, Components& components) {
   report.oriented = true;
-  for_each_edge(sides, [&](std::span<const Side> edge) {
-    ++n_edges;
-    report.boundary_edges += edge.size() == 1 ? 1 : 0;
-    report.nonmanifold_edges += edge.size() > 2 ? 1 : 0;
-    if (edge.size() == 2 && edge[0].upward == edge[1].upward)
-      report.oriented = false;
-    for (const Side& side : edge)
-      components.join(side.triangle, edge[0].triangle);
-  });
+  StarJudge judge(triangles, report, components);
+  stars.for_each([&](const Star& star) { judge(star); });
+  report.orientable =
+      report.oriented || can_be_oriented(triangles.size(), stars);
   for (std::uint32_t t = 0; t < triangles.size(); ++t)
     report.components += components.root(t) == t ? 1 : 0;
+  report.vertices = stars.n_vertices() - report.unused_vertices.size();
   report.euler = static_cast<std::int64_t>(report.vertices) -
-                 static_cast<std::int64_t>(n_edges) +
+                 static_cast<std::int64_t>(judge.n_edges()) +
                  static_cast<std::int64_t>(triangles.size());
-  report.orientable = can_be_oriented(triangles.size(), sides);
 }
 
 /// Area, volume, and whether each component's volume is positive.
@@ -249,20 +298,11 @@ SurfaceReport check_surface(std::span<const Eigen::Vector3d> vertices,
   require_rows(triangles, vertices.size());
   SurfaceReport report;
   report.triangles = triangles.size();
-  std::vector<bool> is_used(vertices.size());
-  for (const auto& [a, b, c] : triangles) {
-    is_used[a] = is_used[b] = is_used[c] = true;
+  for (const auto& [a, b, c] : triangles)
     report.degenerate_triangles += a == b || b == c || c == a ? 1 : 0;
-  }
-  report.unused_vertices = rows_without(is_used);
-  report.vertices = vertices.size() - report.unused_vertices.size();
-  report.duplicate_triangles = n_repeated(triangles, vertices.size());
 
   Components components(triangles.size());
-  judge_edges(triangles, sorted_sides(triangles, vertices.size()), report,
-              components);
-  report.nonmanifold_vertices =
-      count_nonmanifold_vertices(triangles, vertices.size());
+  judge_stars(Stars(vertices.size(), triangles), triangles, report, components);
   report.closed = !triangles.empty() && report.boundary_edges == 0 &&
                   report.nonmanifold_edges == 0 &&
                   report.degenerate_triangles == 0;
@@ -289,7 +329,9 @@ CurveReport check_curve(std::size_t n_vertices,
     ++degree[b];
     components.join(a, b);
   }
-  report.duplicate_edges = n_repeated(edges, n_vertices);
+  std::vector<IndexedEdge> upward(edges.begin(), edges.end());
+  for (IndexedEdge& e : upward) std::sort(e.begin(), e.end());
+  report.duplicate_edges = count_repeated(upward);
 
   std::vector<bool> is_used(n_vertices), is_counted(n_vertices);
   for (std::uint32_t v = 0; v < n_vertices; ++v) {
