@@ -40,7 +40,7 @@ std::size_t count_distinct(const std::vector<Eigen::Vector3d>& points) {
   std::vector<std::array<double, 3>> keys;
   for (const auto& p : points) keys.push_back({p.x(), p.y(), p.z()});
   std::ranges::sort(keys);
-  return static_cast<std::size_t>(std::ranges::unique(keys).begin() -
+  return static_cast<std::size_t>(std::unique(keys.begin(), keys.end()) -
                                   keys.begin());
 }
 

@@ -36,8 +36,10 @@ std::string display_name(std::string_view path) {
 
 std::string quoted(std::string_view text) {
   constexpr std::size_t kLongest = 40;
-  return "'" + escaped(text.substr(0, kLongest), true) +
-         (text.size() > kLongest ? "...'" : "'");
+  std::string out = "'";
+  out += escaped(text.substr(0, kLongest), true);
+  out += text.size() > kLongest ? "...'" : "'";
+  return out;
 }
 
 Scanner::Scanner(std::string_view file, std::string_view text, Syntax syntax)
