@@ -6,11 +6,11 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <compare>
 #include <limits>
 #include <numeric>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 
 namespace umbrella {
 namespace {
