@@ -6,7 +6,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <compare>
 #include <limits>
 #include <numeric>
 #include <stdexcept>
@@ -72,7 +71,7 @@ class Spoke {
   std::uint32_t slot() const { return static_cast<std::uint32_t>(key_); }
   bool leaves() const { return slot() % 2 == 0; }
 
-  friend auto operator<=>(Spoke, Spoke) = default;
+  friend bool operator<(Spoke a, Spoke b) { return a.key_ < b.key_; }
 
  private:
   std::uint64_t key_;

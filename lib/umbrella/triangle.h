@@ -4,7 +4,6 @@
 #pragma once
 
 #include <array>
-#include <compare>
 #include <vector>
 
 #include "delaunay/ids.h"
@@ -25,7 +24,11 @@ struct Rank {
   double primary = 0;
   double secondary = 0;
 
-  friend auto operator<=>(const Rank&, const Rank&) = default;
+  friend bool operator==(const Rank&, const Rank&) = default;
+  friend bool operator<(const Rank& a, const Rank& b) {
+    return a.primary != b.primary ? a.primary < b.primary
+                                  : a.secondary < b.secondary;
+  }
 };
 
 /// A Delaunay triangle, and the facet it is in the cell with the smaller id.
