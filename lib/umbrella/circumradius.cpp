@@ -41,12 +41,6 @@ double squared_radius(const RadiusFraction<BigInteger>& fraction, int exponent,
                           2 * (exponent + std::ilogb(scale)) + kQuarter);
 }
 
-// Proofs in docs/math.md, "Circumspheres": a squared radius is off by less than
-// a 2^-31 part if the squared area or volume is at least this part of what the
-// edges at one corner allow, and no square is below kTiny, where underflow
-// could spoil it.
-constexpr double kFat = 0x1p-30;
-constexpr double kTiny = 0x1p-200;
 /// Error of radii in DoubleDouble, as a part, for the flattest fat ones; it
 /// grows with the flatness.
 constexpr double kPairError = 0x1p-94;
@@ -104,8 +98,7 @@ std::optional<double> quarter_rounded(const PairRadius& r) {
 
 /// Where doubles alone do not give 2^-31.
 template <std::size_t kPoints>
-double refined_squared_circumradius(const std::array<Point3, kPoints>& corners,
-                                    double scale) {
+double refined(const std::array<Point3, kPoints>& corners, double scale) {
   const PairRadius r = pair_radius(corners, scale);
   return r.flatness <= kFlattestPair
              ? r.value.hi / 4
@@ -129,32 +122,23 @@ double squared_circumradius(const std::array<Point3, 3>& abc, double scale) {
   const double uu = dot(u, u), vv = dot(v, v);
   const bool fat =
       std::min(uu, vv) >= kTiny && r.denominator >= kFat * (uu * vv);
-  return fat ? r.numerator / (4 * r.denominator)
-             : refined_squared_circumradius(abc, scale);
+  return fat ? r.numerator / (4 * r.denominator) : refined(abc, scale);
 }
 
 double squared_circumradius(const std::array<Point3, 4>& abcd, double scale) {
   const auto u = scaled_difference(abcd[1], abcd[0], scale);
   const auto v = scaled_difference(abcd[2], abcd[0], scale);
   const auto w = scaled_difference(abcd[3], abcd[0], scale);
-  return squared_circumradius(sphere(u, v, w),
-                              {dot(u, u), dot(v, v), dot(w, w)},
-                              {&abcd[0], &abcd[1], &abcd[2], &abcd[3]}, scale);
-}
-
-double squared_circumradius(const Sphere<double>& s,
-                            const std::array<double, 3>& squared_lengths,
-                            const std::array<const Point3*, 4>& corners,
-                            double scale) {
-  const auto [uu, vv, ww] = squared_lengths;
-  const auto r = sphere_radius(s);
+  const auto r = sphere_radius(sphere(u, v, w));
+  const double uu = dot(u, u), vv = dot(v, v), ww = dot(w, w);
   const bool fat =
       std::min({uu, vv, ww}) >= kTiny && r.denominator >= kFat * (uu * vv * ww);
-  return fat ? r.numerator / (4 * r.denominator)
-             : refined_squared_circumradius(
-                   std::array{*corners[0], *corners[1], *corners[2],
-                              *corners[3]},
-                   scale);
+  return fat ? r.numerator / (4 * r.denominator) : refined(abcd, scale);
+}
+
+double refined_squared_circumradius(const std::array<Point3, 4>& corners,
+                                    double scale) {
+  return refined(corners, scale);
 }
 
 double exact_squared_circumradius(const std::array<Point3, 3>& abc,

@@ -64,6 +64,13 @@ RadiusFraction<T> sphere_radius(const Sphere<T>& s) {
   return {dot(s.center, s.center), s.volume * s.volume};
 }
 
+/// Proofs in docs/math.md, "Circumspheres": in doubles a squared radius is off
+/// by less than a 2^-31 part if the squared area or volume is at least this
+/// part of what the edges at one corner allow, and no square is below kTiny,
+/// where underflow could spoil it.
+inline constexpr double kFat = 0x1p-30;
+inline constexpr double kTiny = 0x1p-200;
+
 /// A power of two that brings the largest coordinate to about 1, so that no
 /// product of scaled coordinates overflows.
 double power_of_two_scale(std::span<const delaunay::Point3> points);
@@ -83,11 +90,9 @@ double squared_circumradius(const std::array<delaunay::Point3, 3>& abc,
                             double scale);
 double squared_circumradius(const std::array<delaunay::Point3, 4>& abcd,
                             double scale);
-/// From a sphere already computed.
-/// @param corners  the four points, asked for where doubles do not suffice
-double squared_circumradius(
-    const Sphere<double>& s, const std::array<double, 3>& squared_lengths,
-    const std::array<const delaunay::Point3*, 4>& corners, double scale);
+/// The same where doubles alone do not give it, as kFat and kTiny tell.
+double refined_squared_circumradius(
+    const std::array<delaunay::Point3, 4>& corners, double scale);
 
 /// Each is the double nearest to the exact value for the given coordinates,
 /// which may be any finite doubles; equal values give equal doubles.

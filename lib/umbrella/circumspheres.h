@@ -3,6 +3,7 @@
 /// side of each facet their centres lie.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -35,6 +36,9 @@ class Circumspheres {
   double scale() const { return scale_; }
 
  private:
+  void add_cells(const delaunay::Triangulation3& triangulation,
+                 std::size_t first, std::size_t n);
+
   std::vector<double> squared_radius_;
   std::vector<std::uint8_t> apex_outside_;  // bit i: facet i
   double scale_ = 1;

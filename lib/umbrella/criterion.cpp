@@ -1,26 +1,60 @@
 #include "umbrella/criterion.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
-#include <utility>
+#include <limits>
+
+#include "umbrella/buckets_internal.h"
 
 namespace umbrella {
 namespace {
 
 bool near(double a, double b) { return std::abs(a - b) <= kNearTie * b; }
 
-/// Calls visit(first, last) for each maximal run of two or more positions in
-/// which every value is near the one before.
-template <class Iterator, class Value, class Visit>
-void for_each_near_run(Iterator first, Iterator last, Value value,
-                       Visit visit) {
-  while (first != last) {
-    Iterator end = first + 1;
-    while (end != last && near(value(*(end - 1)), value(*end))) ++end;
-    if (end - first > 1) visit(first, end);
-    first = end;
+/// One key of a rank, and whose it is.
+struct Entry {
+  double value;
+  std::uint32_t position;
+};
+
+/// Orders doubles that are not negative as their values do.
+std::uint64_t bits(const Entry& e) {
+  return std::bit_cast<std::uint64_t>(e.value);
+}
+
+/// Buckets are equal steps of the bits, that is of a logarithm.
+void sort_by_value(std::vector<Entry>& entries) {
+  std::uint64_t lowest = std::numeric_limits<std::uint64_t>::max(), highest = 0;
+  for (const Entry& e : entries) {
+    lowest = std::min(lowest, bits(e));
+    highest = std::max(highest, bits(e));
+  }
+  const std::size_t n = entries.size();
+  const double step =
+      static_cast<double>(n) / (static_cast<double>(highest - lowest) + 1);
+  bucket_sort(
+      entries, n + 1,
+      [&](const Entry& e) {
+        return static_cast<std::size_t>(static_cast<double>(bits(e) - lowest) *
+                                        step);
+      },
+      [](const Entry& a, const Entry& b) { return a.value < b.value; });
+}
+
+/// Appends the positions of the entries that are near another one.
+void add_near_ones(std::vector<Entry> entries,
+                   std::vector<std::uint32_t>& positions) {
+  if (entries.empty()) return;
+  sort_by_value(entries);
+  bool is_near_previous = false;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const bool is_near_next =
+        i + 1 < entries.size() && near(entries[i].value, entries[i + 1].value);
+    if (is_near_previous || is_near_next)
+      positions.push_back(entries[i].position);
+    is_near_previous = is_near_next;
   }
 }
 
@@ -28,48 +62,32 @@ void for_each_near_run(Iterator first, Iterator last, Value value,
 
 std::vector<std::uint32_t> near_ties(
     std::span<const RankedTriangle> triangles) {
-  std::vector<std::uint32_t> order(triangles.size());
-  std::iota(order.begin(), order.end(), 0U);
-  const auto rank = [&](std::uint32_t i) -> const Rank& {
-    return triangles[i].rank;
-  };
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return rank(a) < rank(b);
-  });
-
+  // A primary of zero is exact, and only the secondary is in doubt.
+  std::vector<Entry> primaries, secondaries_at_zero;
+  primaries.reserve(triangles.size());
+  for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+    const Rank& rank = triangles[i].rank;
+    if (rank.primary == 0)
+      secondaries_at_zero.push_back({rank.secondary, i});
+    else
+      primaries.push_back({rank.primary, i});
+  }
   std::vector<std::uint32_t> ties;
-  const auto add = [&](auto first, auto last) {
-    ties.insert(ties.end(), first, last);
-  };
-  const auto primary = [&](std::uint32_t i) { return rank(i).primary; };
-  const auto secondary = [&](std::uint32_t i) { return rank(i).secondary; };
-  for_each_near_run(
-      order.begin(), order.end(), primary, [&](auto first, auto last) {
-        if (primary(*first) == 0)  // exact: only the secondary is in doubt
-          for_each_near_run(first, last, secondary, add);
-        else
-          add(first, last);
-      });
+  add_near_ones(std::move(primaries), ties);
+  add_near_ones(std::move(secondaries_at_zero), ties);
   return ties;
 }
 
-// By the first corner in one pass, then each short list.
 void sort_by_corners(std::vector<RankedTriangle>& triangles) {
-  std::uint32_t n_keys = 0;
+  std::size_t n_lowest = 0;
   for (const RankedTriangle& t : triangles)
-    n_keys = std::max(n_keys, static_cast<std::uint32_t>(t.corners[0]) + 1);
-  std::vector<std::uint32_t> first(n_keys + 1);
-  for (const RankedTriangle& t : triangles) ++first[index(t.corners[0])];
-  std::partial_sum(first.begin(), first.end(), first.begin());
-  std::vector<RankedTriangle> sorted(triangles.size());
-  for (const RankedTriangle& t : triangles)
-    sorted[--first[index(t.corners[0])]] = t;
-  for (std::uint32_t k = 0; k < n_keys; ++k)
-    std::sort(sorted.begin() + first[k], sorted.begin() + first[k + 1],
-              [](const RankedTriangle& a, const RankedTriangle& b) {
-                return a.corners < b.corners;
-              });
-  triangles = std::move(sorted);
+    n_lowest = std::max(n_lowest, index(t.corners[0]) + 1);
+  bucket_sort(
+      triangles, n_lowest,
+      [](const RankedTriangle& t) { return index(t.corners[0]); },
+      [](const RankedTriangle& a, const RankedTriangle& b) {
+        return a.corners < b.corners;
+      });
 }
 
 }  // namespace umbrella

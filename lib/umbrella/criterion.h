@@ -33,6 +33,7 @@ concept Criterion = requires(const C& c, const DelaunayTriangle& t) {
 /// A criterion whose rank() is good to a part of kNearTie only, and which can
 /// say it to the last bit. Triangles whose ranks differ by less are asked for
 /// exact_rank() and ordered by that, so the order is the one of exact_rank().
+/// Ranks must not be negative.
 template <class C>
 concept ExactCriterion = Criterion<C> &&
     requires(const C& c, const DelaunayTriangle& t) {
@@ -93,6 +94,7 @@ std::vector<RankedTriangle> ranked_triangles(
     const delaunay::Triangulation3& triangulation, const Circumspheres& spheres,
     const C& criterion = {}) {
   std::vector<RankedTriangle> triangles;
+  triangles.reserve(triangulation.n_finite_cells() / 2);
   for_each_facet(triangulation, [&](delaunay::Facet facet) {
     const DelaunayTriangle t(triangulation, spheres, facet);
     if (criterion.admissible(t))
