@@ -90,7 +90,7 @@ double blended_level(const Vector3d& p) {
 // below 2e-18.
 Turn turn(double turns) {
   const double reduced = turns - std::floor(turns);
-  const int quarter = static_cast<int>(4 * reduced + 0.5);
+  const int quarter = static_cast<int>(std::lround(4 * reduced));
   const double x = (reduced - 0.25 * quarter) * 2 * std::numbers::pi;
   double s = 0;
   double c = 0;

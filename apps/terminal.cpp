@@ -30,9 +30,11 @@ std::string verdict(std::string_view text, bool good, Color color, int stream) {
   const bool wanted = no_color == nullptr || *no_color == '\0';
   const bool colored = color == Color::Always ||
                        (color == Color::Auto && wanted && is_terminal(stream));
-  const std::string plain(text);
-  if (!colored) return plain;
-  return (good ? "\x1b[32m" : "\x1b[31m") + plain + "\x1b[0m";
+  if (!colored) return std::string(text);
+  std::string out = good ? "\x1b[32m" : "\x1b[31m";
+  out += text;
+  out += "\x1b[0m";
+  return out;
 }
 
 }  // namespace terminal
