@@ -5,34 +5,6 @@
 
 namespace umbrella {
 
-void LinkGraph::clear() {
-  for (const VertexId v : vertices_) node(v) = {};
-  vertices_.clear();
-  edges_.clear();
-  n_closing_ = 0;
-}
-
-bool LinkGraph::add(const LinkEdge& ends) {
-  const auto name = static_cast<EdgeIndex>(edges_.size());
-  edges_.push_back(ends);
-  for (const VertexId v : ends) attach(v, name);
-  const VertexId a = root(ends[0]), b = root(ends[1]);
-  node(a).parent = b;
-  n_closing_ += a == b ? 1 : 0;
-  return a == b;
-}
-
-void LinkGraph::attach(VertexId v, EdgeIndex e) {
-  Node& n = node(v);
-  if (n.degree == 0) {
-    n.parent = v;
-    n.place = static_cast<std::uint32_t>(vertices_.size());
-    vertices_.push_back(v);
-  }
-  ++n.degree;
-  n.edges ^= e;
-}
-
 const std::vector<bool>& LinkGraph::peel() {
   stays_.assign(edges_.size(), true);
   for (const VertexId start : vertices_) {
@@ -58,11 +30,6 @@ const std::vector<bool>& LinkGraph::drop_bridges() {
     for (const EdgeIndex e : bridges_) take_away(e);
   }
   return stays_;
-}
-
-VertexId LinkGraph::root(VertexId v) {
-  while (node(v).parent != v) v = node(v).parent = node(node(v).parent).parent;
-  return v;
 }
 
 void LinkGraph::take_away(EdgeIndex e) {

@@ -19,10 +19,23 @@ class LinkGraph {
   explicit LinkGraph(std::size_t n_vertices) : nodes_(n_vertices) {}
 
   /// In the time that the last graph took.
-  void clear();
+  void clear() {
+    for (const VertexId v : vertices_) node(v) = {};
+    vertices_.clear();
+    edges_.clear();
+    n_closing_ = 0;
+  }
 
   /// Adds an edge, new to the graph. @return whether it closes a cycle
-  bool add(const LinkEdge& ends);
+  bool add(const LinkEdge& ends) {
+    const auto name = static_cast<EdgeIndex>(edges_.size());
+    edges_.push_back(ends);
+    for (const VertexId v : ends) attach(v, name);
+    const VertexId a = root(ends[0]), b = root(ends[1]);
+    node(a).parent = b;
+    n_closing_ += a == b ? 1 : 0;
+    return a == b;
+  }
 
   bool has_cycle() const { return n_closing_ > 0; }
 
@@ -50,8 +63,21 @@ class LinkGraph {
   };
 
   Node& node(VertexId v) { return nodes_[index(v)]; }
-  void attach(VertexId v, EdgeIndex e);
-  VertexId root(VertexId v);
+  void attach(VertexId v, EdgeIndex e) {
+    Node& n = node(v);
+    if (n.degree == 0) {
+      n.parent = v;
+      n.place = static_cast<std::uint32_t>(vertices_.size());
+      vertices_.push_back(v);
+    }
+    ++n.degree;
+    n.edges ^= e;
+  }
+  VertexId root(VertexId v) {
+    while (node(v).parent != v)
+      v = node(v).parent = node(node(v).parent).parent;
+    return v;
+  }
   VertexId other_end(EdgeIndex e, VertexId v) const {
     return edges_[e][0] == v ? edges_[e][1] : edges_[e][0];
   }
