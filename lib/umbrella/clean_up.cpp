@@ -48,6 +48,13 @@ class CleanUp {
     for (TriangleIndex t = 0; t < triangles_.size(); ++t)
       if (fate_[t] == Fate::Alive) visit(t);
   }
+  std::uint8_t corner_bit(TriangleIndex t, VertexId v) const {
+    const Triangle& corners = triangles_[t].corners;
+    return corners[0] == v ? 1 : corners[1] == v ? 2 : 4;
+  }
+  std::uint8_t without_corner(TriangleIndex t, VertexId v) const {
+    return static_cast<std::uint8_t>(type3_corners_[t] & ~corner_bit(t, v));
+  }
   void classify(VertexId v, std::vector<TriangleIndex>& type2);
   std::vector<TriangleIndex> worst_type3();
   std::vector<VertexId> delete_all(std::span<const TriangleIndex> doomed,
@@ -87,22 +94,19 @@ void CleanUp::classify(VertexId v, std::vector<TriangleIndex>& type2) {
   for (const TriangleIndex t : incidence_.at(v)) {
     if (fate_[t] != Fate::Alive) continue;
     alive_at_v_.push_back(t);
+    type3_corners_[t] = without_corner(t, v);
     graph_.add(opposite_edge(triangles_[t].corners, v));
   }
-  const std::vector<bool>& in_umbrella = graph_.drop_bridges();
-  const bool one = graph_.is_one_cycle();
-  has_umbrella_[index(v)] = std::find(in_umbrella.begin(), in_umbrella.end(),
-                                      true) != in_umbrella.end();
+  has_umbrella_[index(v)] = graph_.has_cycle();
+  if (!graph_.has_cycle()) return;
 
+  const bool is_of_type3 = !graph_.has_one_cycle();
+  const std::vector<bool>& in_umbrella = graph_.drop_bridges();
   for (std::size_t k = 0; k < alive_at_v_.size(); ++k) {
     const TriangleIndex t = alive_at_v_[k];
-    const auto& corners = triangles_[t].corners;
-    const auto bit = static_cast<std::uint8_t>(
-        1U << (std::find(corners.begin(), corners.end(), v) - corners.begin()));
-    type3_corners_[t] = static_cast<std::uint8_t>(type3_corners_[t] & ~bit);
-    if (!in_umbrella[k] && has_umbrella_[index(v)]) type2.push_back(t);
-    if (!in_umbrella[k] || one) continue;
-    type3_corners_[t] |= bit;
+    if (!in_umbrella[k]) type2.push_back(t);
+    if (!in_umbrella[k] || !is_of_type3) continue;
+    type3_corners_[t] |= corner_bit(t, v);
     worst_first_.push(t);
   }
 }

@@ -7,28 +7,8 @@
 #include "umbrella/circumradius_internal.h"
 
 namespace umbrella {
-namespace {
 
 using delaunay::Cell;
-using delaunay::kFacetCorners;
-
-}  // namespace
-
-Triangle DelaunayTriangle::corners() const {
-  const Cell& cell = triangulation_->cell(facet_.cell());
-  const auto& slots = kFacetCorners[facet_.index()];
-  const VertexId a = cell.vertex[slots[0]], b = cell.vertex[slots[1]],
-                 c = cell.vertex[slots[2]];
-  const VertexId low = std::min(a, b), high = std::max(a, b);
-  return {std::min(low, c), std::max(low, std::min(high, c)),
-          std::max(high, c)};
-}
-
-std::array<Point3, 3> DelaunayTriangle::points() const {
-  const auto [a, b, c] = corners();
-  return {triangulation_->point(a), triangulation_->point(b),
-          triangulation_->point(c)};
-}
 
 bool DelaunayTriangle::on_hull() const {
   return triangulation_->cell(facet_.cell()).is_infinite() ||

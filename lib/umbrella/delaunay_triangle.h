@@ -21,8 +21,20 @@ class DelaunayTriangle {
                    const Circumspheres& spheres, delaunay::Facet facet)
       : triangulation_(&triangulation), spheres_(&spheres), facet_(facet) {}
 
-  Triangle corners() const;
-  std::array<Point3, 3> points() const;
+  Triangle corners() const {
+    const auto& vertex = triangulation_->cell(facet_.cell()).vertex;
+    const auto& [i, j, k] = delaunay::kFacetCorners[facet_.index()];
+    const VertexId a = vertex[i], b = vertex[j], c = vertex[k];
+    const VertexId low = std::min(a, b), high = std::max(a, b);
+    return {std::min(low, c), std::max(low, std::min(high, c)),
+            std::max(high, c)};
+  }
+  /// In the order of corners().
+  std::array<Point3, 3> points() const {
+    const auto [a, b, c] = corners();
+    return {triangulation_->point(a), triangulation_->point(b),
+            triangulation_->point(c)};
+  }
 
   /// The two cells at the triangle, one of them perhaps beyond the hull.
   std::array<delaunay::CellId, 2> cells() const {

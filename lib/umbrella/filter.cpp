@@ -25,29 +25,39 @@ class UmbrellaPicker {
   ///   call
   std::span<const TriangleIndex> pick(VertexId v,
                                       std::span<const TriangleIndex> at_v) {
-    order_.assign(at_v.begin(), at_v.end());
-    std::sort(order_.begin(), order_.end(),
-              [this](TriangleIndex a, TriangleIndex b) {
-                return ranks_before(triangles_[a], triangles_[b]);
-              });
+    order_.clear();
+    for (const TriangleIndex t : at_v)
+      order_.push_back({triangles_[t].rank.primary, t});
+    std::sort(
+        order_.begin(), order_.end(), [this](const Ranked& a, const Ranked& b) {
+          return a.primary != b.primary
+                     ? a.primary < b.primary
+                     : ranks_before(triangles_[a.index], triangles_[b.index]);
+        });
     graph_.clear();
     const auto closing =
-        std::find_if(order_.begin(), order_.end(), [&](TriangleIndex t) {
-          return graph_.add(opposite_edge(triangles_[t].corners, v));
+        std::find_if(order_.begin(), order_.end(), [&](const Ranked& t) {
+          return graph_.add(opposite_edge(triangles_[t.index].corners, v));
         });
     if (closing == order_.end()) return {};
 
     const std::vector<bool>& stays = graph_.peel();
-    std::size_t n = 0;
+    umbrella_.clear();
     for (std::size_t k = 0; k < stays.size(); ++k)
-      if (stays[k]) order_[n++] = order_[k];
-    return std::span(order_).first(n);
+      if (stays[k]) umbrella_.push_back(order_[k].index);
+    return umbrella_;
   }
 
  private:
+  struct Ranked {
+    double primary;  // of the rank: decides most comparisons
+    TriangleIndex index;
+  };
+
   std::span<const RankedTriangle> triangles_;
   LinkGraph graph_;
-  std::vector<TriangleIndex> order_;
+  std::vector<Ranked> order_;
+  std::vector<TriangleIndex> umbrella_;
 };
 
 }  // namespace
