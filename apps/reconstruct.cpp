@@ -120,7 +120,7 @@ ExitCode reconstruct(const Options& options) {
   return as_asked ? ExitCode::Done : ExitCode::Open;
 }
 
-void add_options(CLI::App& sub, Options& options) {
+void add_file_options(CLI::App& sub, Options& options) {
   sub.add_option("in", options.request.files,
                  "Point files (PLY, OFF, OBJ, STL, text), taken together; - is "
                  "standard input")
@@ -131,7 +131,13 @@ void add_options(CLI::App& sub, Options& options) {
          "Mesh file: .ply (with lambda), .off, .obj, .stl; of a curve .ply, "
          ".obj, .txt; - is standard output, as PLY")
       ->type_name("OUT");
-  sub.add_option("--stage", options.request.stage,
+  sub.add_option("--report", options.report,
+                 "Counts, times and the certificate as JSON")
+      ->type_name("FILE");
+}
+
+void add_method_options(CLI::App& sub, Request& request) {
+  sub.add_option("--stage", request.stage,
                  "Stop after: filter, clean or closed [closed]")
       ->transform(
           CLI::CheckedTransformer(std::map<std::string, umbrella::Stage>{
@@ -143,11 +149,11 @@ void add_options(CLI::App& sub, Options& options) {
   for (const std::string_view name : umbrella::criterion_names())
     criteria.emplace_back(name);
   sub.add_option(
-         "--criterion", options.request.criterion,
+         "--criterion", request.criterion,
          "What makes a triangle a good one: " + joined(criteria) + " [paper]")
       ->check(CLI::IsMember(criteria))
       ->type_name("NAME");
-  sub.add_option("--close", options.request.close,
+  sub.add_option("--close", request.close,
                  "best: worst triangles last, no point left out if possible; "
                  "paper: any solution of the paper's program [best]")
       ->transform(
@@ -155,17 +161,17 @@ void add_options(CLI::App& sub, Options& options) {
               {"best", umbrella::CloseMode::Best},
               {"paper", umbrella::CloseMode::Paper}}))
       ->type_name("MODE");
+  sub.add_option("--time-limit", request.time_limit,
+                 "Seconds for closing; regions undecided by then stay open")
+      ->check(CLI::Range(0.0, 1e9))
+      ->type_name("S");
+}
+
+void add_run_options(CLI::App& sub, Options& options) {
   sub.add_option("--threads", options.threads,
                  "At most so many threads; this version uses one")
       ->check(CLI::Range(1U, 4096U))
       ->type_name("N");
-  sub.add_option("--time-limit", options.request.time_limit,
-                 "Seconds for closing; regions undecided by then stay open")
-      ->check(CLI::Range(0.0, 1e9))
-      ->type_name("S");
-  sub.add_option("--report", options.report,
-                 "Counts, times and the certificate as JSON")
-      ->type_name("FILE");
   sub.add_flag("--quiet", options.quiet, "No summary, no progress");
   sub.add_option("--color", options.color, "auto, always or never [auto]")
       ->transform(
@@ -197,7 +203,9 @@ Examples:
   umbrella reconstruct scan.ply -o mesh.ply
   umbrella reconstruct a.xyz b.xyz -o mesh.stl --report mesh.json
   umbrella reconstruct scan.ply --stage filter -o filtered.ply)");
-  add_options(*sub, *options);
+  add_file_options(*sub, *options);
+  add_method_options(*sub, options->request);
+  add_run_options(*sub, *options);
   sub->callback([options, &exit_code] { exit_code = reconstruct(*options); });
 }
 

@@ -47,28 +47,15 @@ Points grid(std::size_t n, double low, double step) {
   return points;
 }
 
+// Primes p = a^2 + b^2 as (a, b).
+constexpr std::int64_t kPrimes[][2] = {
+    {2, 1}, {2, 1}, {2, 1}, {3, 2}, {3, 2}, {4, 1}, {4, 1},  {5, 2}, {6, 1},
+    {5, 4}, {7, 2}, {6, 5}, {8, 3}, {8, 5}, {9, 4}, {10, 1}, {10, 3}};
+
 // Integer points of one circle: the Gaussian integers z whose square modulus
 // is a given product of primes p = |a + bi|^2, one conjugate chosen for each.
 Points cocircular(std::size_t n) {
   using Gaussian = std::complex<std::int64_t>;
-  static constexpr std::array<std::array<std::int64_t, 2>, 17> kPrimes = {
-      {{2, 1},
-       {2, 1},
-       {2, 1},
-       {3, 2},
-       {3, 2},
-       {4, 1},
-       {4, 1},
-       {5, 2},
-       {6, 1},
-       {5, 4},
-       {7, 2},
-       {6, 5},
-       {8, 3},
-       {8, 5},
-       {9, 4},
-       {10, 1},
-       {10, 3}}};
   std::vector<Gaussian> circle = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
   for (const auto& [a, b] : kPrimes) {
     std::vector<Gaussian> next;
