@@ -29,7 +29,7 @@ double Badness::operator()(const Triangle& corners, Facet facet) const {
     case CloseWeight::Circumradius:
       break;
   }
-  return squared_circumradius(abc, scale_);
+  return squared_circumradius(abc[0], abc[1], abc[2], scale_);
 }
 
 double Badness::squared_lambda_lower(const std::array<Point3, 3>& abc,
@@ -43,7 +43,7 @@ double Badness::squared_lambda_lower(const std::array<Point3, 3>& abc,
     largest = std::max(
         largest, squared_circumradius({abc[0], abc[1], abc[2], apex}, scale_));
   }
-  return squared_circumradius(abc, scale_) / largest;
+  return squared_circumradius(abc[0], abc[1], abc[2], scale_) / largest;
 }
 
 }  // namespace umbrella

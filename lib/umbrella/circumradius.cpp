@@ -115,14 +115,16 @@ double power_of_two_scale(std::span<const Point3> points) {
   return std::ldexp(1, std::clamp(-std::ilogb(largest), -1022, 1022));
 }
 
-double squared_circumradius(const std::array<Point3, 3>& abc, double scale) {
-  const auto u = scaled_difference(abc[1], abc[0], scale);
-  const auto v = scaled_difference(abc[2], abc[0], scale);
+double squared_circumradius(const Point3& a, const Point3& b, const Point3& c,
+                            double scale) {
+  const auto u = scaled_difference(b, a, scale);
+  const auto v = scaled_difference(c, a, scale);
   const auto r = circle_radius(u, v);
   const double uu = dot(u, u), vv = dot(v, v);
   const bool fat =
       std::min(uu, vv) >= kTiny && r.denominator >= kFat * (uu * vv);
-  return fat ? r.numerator / (4 * r.denominator) : refined(abc, scale);
+  return fat ? r.numerator / (4 * r.denominator)
+             : refined(std::array{a, b, c}, scale);
 }
 
 double squared_circumradius(const std::array<Point3, 4>& abcd, double scale) {

@@ -86,8 +86,9 @@ inline Vector<double> scaled_difference(const delaunay::Point3& p,
 /// part. The order of the corners may change the last bits.
 ///
 /// @param scale  power_of_two_scale() of these and perhaps more points
-double squared_circumradius(const std::array<delaunay::Point3, 3>& abc,
-                            double scale);
+double squared_circumradius(const delaunay::Point3& a,
+                            const delaunay::Point3& b,
+                            const delaunay::Point3& c, double scale);
 double squared_circumradius(const std::array<delaunay::Point3, 4>& abcd,
                             double scale);
 /// The same where doubles alone do not give it, as kFat and kTiny tell.

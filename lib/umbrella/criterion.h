@@ -74,18 +74,10 @@ struct CircumradiusCriterion {
   }
 };
 
-/// Each facet of a cell within the hull, once.
-template <class Visit>
-void for_each_facet(const delaunay::Triangulation3& triangulation,
-                    Visit visit) {
-  for (std::size_t i = 0; i < triangulation.n_finite_cells(); ++i) {
-    const delaunay::CellId c{static_cast<std::uint32_t>(i)};
-    for (unsigned k = 0; k < 4; ++k) {
-      const auto neighbor = triangulation.cell(c).neighbor[k].cell();
-      if (c < neighbor) visit(delaunay::Facet(c, k));
-    }
-  }
-}
+/// Each triangle of the triangulation once, as the facet it is in the cell with
+/// the smaller id.
+std::vector<delaunay::Facet> facets(
+    const delaunay::Triangulation3& triangulation);
 
 /// All triangles of the triangulation that the criterion admits, by ascending
 /// corners. Depends on the set of points alone if the criterion does.
@@ -95,11 +87,11 @@ std::vector<RankedTriangle> ranked_triangles(
     const C& criterion = {}) {
   std::vector<RankedTriangle> triangles;
   triangles.reserve(triangulation.n_finite_cells() / 2);
-  for_each_facet(triangulation, [&](delaunay::Facet facet) {
+  for (const delaunay::Facet facet : facets(triangulation)) {
     const DelaunayTriangle t(triangulation, spheres, facet);
     if (criterion.admissible(t))
       triangles.push_back({t.corners(), facet, criterion.rank(t)});
-  });
+  }
   if constexpr (ExactCriterion<C>) {
     for (const std::uint32_t i : near_ties(triangles))
       triangles[i].rank = criterion.exact_rank(

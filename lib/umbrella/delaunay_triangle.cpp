@@ -29,7 +29,10 @@ LambdaInterval DelaunayTriangle::lambda() const {
 }
 
 double DelaunayTriangle::squared_circumradius() const {
-  return umbrella::squared_circumradius(points(), spheres_->scale());
+  const auto [a, b, c] = corners();
+  return umbrella::squared_circumradius(
+      triangulation_->point(a), triangulation_->point(b),
+      triangulation_->point(c), spheres_->scale());
 }
 
 double DelaunayTriangle::exact_squared_lambda_lower() const {

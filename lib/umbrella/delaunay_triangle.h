@@ -44,8 +44,9 @@ class DelaunayTriangle {
 
   /// No sample point lies in the open diametral ball; exact.
   bool is_gabriel() const {
-    return spheres_->apex_outside_diametral_ball(facet_) &&
-           spheres_->apex_outside_diametral_ball(opposite());
+    // Both are looked up at once: to wait for one would cost more.
+    return (spheres_->apex_outside_diametral_ball(facet_) &
+            spheres_->apex_outside_diametral_ball(opposite()));
   }
 
   /// Relative error below 2^-30, and far less for triangles and cells that

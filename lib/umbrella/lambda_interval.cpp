@@ -41,10 +41,10 @@ std::vector<TriangleLambda> lambda_intervals(
     const delaunay::Triangulation3& triangulation) {
   const Circumspheres spheres(triangulation);
   std::vector<TriangleLambda> intervals;
-  for_each_facet(triangulation, [&](delaunay::Facet facet) {
+  for (const delaunay::Facet facet : facets(triangulation)) {
     const DelaunayTriangle t(triangulation, spheres, facet);
     intervals.push_back({t.corners(), t.lambda()});
-  });
+  }
   std::sort(intervals.begin(), intervals.end(),
             [](const TriangleLambda& a, const TriangleLambda& b) {
               return a.corners < b.corners;
