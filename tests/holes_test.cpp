@@ -51,6 +51,22 @@ TEST(FindHoles, StepsOnceOverDeletedTriangles) {
   EXPECT_EQ(holes[0].vertices, ids({0, 1, 2}));  // not on to 3 and 4
 }
 
+// The edges with exactly one triangle, both ends without umbrella.
+tests::LinkEdges open_edges(const CleanUpResult& clean,
+                            const std::set<VertexId>& bare) {
+  std::map<std::pair<VertexId, VertexId>, int> count;
+  for (const auto& t : clean.triangles) {
+    ++count[{t.corners[0], t.corners[1]}];
+    ++count[{t.corners[0], t.corners[2]}];
+    ++count[{t.corners[1], t.corners[2]}];
+  }
+  tests::LinkEdges open;
+  for (const auto& [edge, n] : count)
+    if (n == 1 && bare.count(edge.first) > 0 && bare.count(edge.second) > 0)
+      open.push_back(edge);
+  return open;
+}
+
 TEST(FindHoles, AreAsDefinedOnRandomComplexes) {
   constexpr std::size_t kVertices = 9;
   std::size_t n_holes = 0;
@@ -64,16 +80,7 @@ TEST(FindHoles, AreAsDefinedOnRandomComplexes) {
 
     const std::set<VertexId> bare(clean.without_umbrella.begin(),
                                   clean.without_umbrella.end());
-    std::map<std::pair<VertexId, VertexId>, int> count;
-    for (const auto& t : clean.triangles) {
-      ++count[{t.corners[0], t.corners[1]}];
-      ++count[{t.corners[0], t.corners[2]}];
-      ++count[{t.corners[1], t.corners[2]}];
-    }
-    tests::LinkEdges open;
-    for (const auto& [edge, n] : count)
-      if (n == 1 && bare.count(edge.first) > 0 && bare.count(edge.second) > 0)
-        open.push_back(edge);
+    const tests::LinkEdges open = open_edges(clean, bare);
     std::set<VertexId> seen;
     for (const Hole& hole : holes) {
       EXPECT_TRUE(std::is_sorted(hole.vertices.begin(), hole.vertices.end()));

@@ -60,15 +60,21 @@ struct LatticePoints {
   }
 };
 
-template <class Predicate>
-bool LatticePoints<Predicate>::assign(const Points<Predicate::kPoints>& p) {
-  constexpr std::size_t kDimension = Predicate::kDimension;
+template <std::size_t kDimension, std::size_t kPoints>
+double sum_of_magnitudes(const Points<kPoints>& p) {
   double sum = 0;
   for (const double* q : p) {
     double s = std::abs(q[0]);
     for (std::size_t i = 1; i < kDimension; ++i) s += std::abs(q[i]);
     sum += s;
   }
+  return sum;
+}
+
+template <class Predicate>
+bool LatticePoints<Predicate>::assign(const Points<Predicate::kPoints>& p) {
+  constexpr std::size_t kDimension = Predicate::kDimension;
+  const double sum = sum_of_magnitudes<kDimension>(p);
   // The sum is below 2^(field - 1022) = 2^51 units. Adding 1.5 * 2^52 units
   // rounds a coordinate to a multiple of the unit and leaves that multiple in
   // the low bits of the result, whose exponent is always the same.
