@@ -20,10 +20,14 @@ void trim(std::vector<std::uint32_t>& limbs) {
 
 int lowest_bit(double x) {
   if (x == 0) return INT_MAX;
-  int exponent = 0;
-  const double fraction = std::frexp(std::abs(x), &exponent);
-  const auto mantissa = static_cast<std::uint64_t>(std::ldexp(fraction, 53));
-  return exponent - 53 + std::countr_zero(mantissa);
+  constexpr int kMantissaBits = 52;
+  constexpr int kLeast = -1074;  // exponent of the smallest double
+  const auto bits = std::bit_cast<std::uint64_t>(std::abs(x));
+  const auto exponent = static_cast<int>(bits >> kMantissaBits);
+  const std::uint64_t fraction = bits & ((1ULL << kMantissaBits) - 1);
+  if (exponent == 0) return kLeast + std::countr_zero(fraction);
+  return kLeast - 1 + exponent +
+         std::countr_zero(fraction | 1ULL << kMantissaBits);
 }
 
 BigInteger::BigInteger(double x, int exponent) : negative_(x < 0) {

@@ -17,6 +17,7 @@ class BigInteger {
   BigInteger(double x, int exponent);
 
   bool is_zero() const { return limbs_.empty(); }
+  bool is_negative() const { return negative_; }
   BigInteger operator-() const;
 
   friend BigInteger operator+(const BigInteger& a, const BigInteger& b);

@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "umbrella/big_integer_internal.h"
 #include "umbrella/circumradius_internal.h"
@@ -16,16 +17,23 @@ namespace {
 
 using delaunay::Point3;
 
+/// The largest e for which all coordinates are whole multiples of 2^e.
+template <std::size_t kPoints>
+int common_exponent(const std::array<Point3, kPoints>& points) {
+  int exponent = INT_MAX;
+  for (const Point3& p : points)
+    for (const double x : p) exponent = std::min(exponent, lowest_bit(x));
+  return exponent;
+}
+
 /// Differences to the first point, as whole multiples of 2^exponent.
 template <std::size_t kPoints>
 struct WholeDifferences {
   std::array<Vector<BigInteger>, kPoints - 1> difference;
-  int exponent = 0;
+  int exponent;
 
-  explicit WholeDifferences(const std::array<Point3, kPoints>& points) {
-    exponent = INT_MAX;
-    for (const Point3& p : points)
-      for (const double x : p) exponent = std::min(exponent, lowest_bit(x));
+  explicit WholeDifferences(const std::array<Point3, kPoints>& points)
+      : exponent(common_exponent(points)) {
     const auto whole = [&](double x) { return BigInteger(x, exponent); };
     for (std::size_t k = 1; k < kPoints; ++k)
       for (Eigen::Index i = 0; i < 3; ++i)
@@ -33,6 +41,47 @@ struct WholeDifferences {
             whole(points[k][i]) - whole(points[0][i]);
   }
 };
+
+/// The same where they are so small that every number made of them here is a
+/// whole double, as on integer grids: with |d| <= 7 the largest, a product of
+/// 12 differences, is below 2^48 (docs/math.md, "Small whole numbers").
+template <std::size_t kPoints>
+struct SmallDifferences {
+  std::array<Vector<double>, kPoints - 1> difference;
+  int exponent = 0;
+
+  static std::optional<SmallDifferences> of(
+      const std::array<Point3, kPoints>& points) {
+    constexpr double kLargest = 7;
+    SmallDifferences small;
+    // A rounded difference is at least 2^53 multiples, and fails the test, as
+    // does what overflows.
+    small.exponent = common_exponent(points);
+    const double unit = std::ldexp(1, -small.exponent);
+    for (std::size_t k = 1; k < kPoints; ++k)
+      for (Eigen::Index i = 0; i < 3; ++i) {
+        const double d = (points[k][i] - points[0][i]) * unit;
+        if (!(std::abs(d) <= kLargest)) return std::nullopt;
+        small.difference[k - 1][static_cast<std::size_t>(i)] = d;
+      }
+    return small;
+  }
+};
+
+/// (r / R)^2 of the circle through 0, u, v and the sphere through w as well.
+template <class T>
+RadiusFraction<T> lambda_fraction(const Vector<T>& u, const Vector<T>& v,
+                                  const Vector<T>& w) {
+  const RadiusFraction<T> circle = circle_radius(u, v);
+  const RadiusFraction<T> ball = sphere_radius(sphere(u, v, w));
+  return {circle.numerator * ball.denominator,
+          circle.denominator * ball.numerator};
+}
+
+ExactRatio ratio(const RadiusFraction<double>& whole, int exponent) {
+  return {static_cast<std::int64_t>(whole.numerator),
+          static_cast<std::int64_t>(whole.denominator), exponent};
+}
 
 double squared_radius(const RadiusFraction<BigInteger>& fraction, int exponent,
                       double scale) {
@@ -145,6 +194,12 @@ double refined_squared_circumradius(const std::array<Point3, 4>& corners,
 
 double exact_squared_circumradius(const std::array<Point3, 3>& abc,
                                   double scale) {
+  if (const auto small = SmallDifferences<3>::of(abc)) {
+    const auto& [u, v] = small->difference;
+    const RadiusFraction<double> r = circle_radius(u, v);
+    return std::ldexp(r.numerator / (4 * r.denominator),
+                      2 * (small->exponent + std::ilogb(scale)));
+  }
   if (const auto r2 = quarter_rounded(pair_radius(abc, scale))) return *r2;
   const WholeDifferences<3> d(abc);
   return squared_radius(circle_radius(d.difference[0], d.difference[1]),
@@ -160,6 +215,11 @@ double exact_squared_circumradius(const std::array<Point3, 4>& abcd,
 }
 
 double exact_squared_lambda(const std::array<Point3, 4>& abcd) {
+  if (const auto small = SmallDifferences<4>::of(abcd)) {
+    const auto& [u, v, w] = small->difference;
+    const RadiusFraction<double> lambda = lambda_fraction(u, v, w);
+    return lambda.numerator / lambda.denominator;
+  }
   const double scale = power_of_two_scale(abcd);
   const PairRadius r =
       pair_radius(std::array{abcd[0], abcd[1], abcd[2]}, scale);
@@ -169,10 +229,30 @@ double exact_squared_lambda(const std::array<Point3, 4>& abcd) {
   if (const auto lambda = quotient.rounded(error)) return *lambda;
   const WholeDifferences<4> d(abcd);
   const auto& [u, v, w] = d.difference;
-  const auto circle = circle_radius(u, v);
-  const auto ball = sphere_radius(sphere(u, v, w));
-  return nearest_quotient(circle.numerator * ball.denominator,
-                          circle.denominator * ball.numerator, 0);
+  const RadiusFraction<BigInteger> lambda = lambda_fraction(u, v, w);
+  return nearest_quotient(lambda.numerator, lambda.denominator, 0);
+}
+
+ExactRatio squared_lambda_ratio(const std::array<Point3, 4>& abcd) {
+  if (const auto small = SmallDifferences<4>::of(abcd)) {
+    const auto& [u, v, w] = small->difference;
+    return ratio(lambda_fraction(u, v, w), 0);
+  }
+  const WholeDifferences<4> d(abcd);
+  const auto& [u, v, w] = d.difference;
+  RadiusFraction<BigInteger> lambda = lambda_fraction(u, v, w);
+  return {std::move(lambda.numerator), std::move(lambda.denominator), 0};
+}
+
+ExactRatio squared_circumradius_ratio(const std::array<Point3, 3>& abc) {
+  if (const auto small = SmallDifferences<3>::of(abc)) {
+    const auto& [u, v] = small->difference;
+    return ratio(circle_radius(u, v), 2 * small->exponent);
+  }
+  const WholeDifferences<3> d(abc);
+  RadiusFraction<BigInteger> r =
+      circle_radius(d.difference[0], d.difference[1]);
+  return {std::move(r.numerator), std::move(r.denominator), 2 * d.exponent};
 }
 
 }  // namespace umbrella

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "delaunay/triangulation3.h"
+#include "umbrella/exact_ratio.h"
 
 namespace umbrella {
 
@@ -106,5 +107,10 @@ double exact_squared_circumradius(const std::array<delaunay::Point3, 4>& abcd,
                                   double scale);
 /// (r / R)^2 for the circle through a, b, c and the sphere through all four.
 double exact_squared_lambda(const std::array<delaunay::Point3, 4>& abcd);
+
+/// The same before rounding; the first is of 4 r^2, in the points' unit.
+ExactRatio squared_circumradius_ratio(
+    const std::array<delaunay::Point3, 3>& abc);
+ExactRatio squared_lambda_ratio(const std::array<delaunay::Point3, 4>& abcd);
 
 }  // namespace umbrella

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
 #include "umbrella/buckets_internal.h"
 
@@ -58,7 +59,98 @@ void add_near_ones(std::vector<Entry> entries,
   }
 }
 
+/// Gives triangles whose primaries are equal their exact order.
+class TieBreaker {
+ public:
+  TieBreaker(std::vector<RankedTriangle>& triangles,
+             const std::function<ExactRank(delaunay::Facet)>& exact)
+      : triangles_(triangles), exact_(exact) {}
+
+  /// Ranks change only now, since groups are found by them.
+  void apply() {
+    for (const auto& [i, number] : numbered_)
+      rank(i).secondary = static_cast<double>(number);
+  }
+
+  /// @param group  equal primaries, above zero: all are in doubt
+  void number_by_primary(std::span<const std::uint32_t> group) {
+    next_ = 0;
+    if (group.size() > 1) number_exactly(group);
+  }
+
+  /// @param group  primaries zero, by ascending secondary: only equal ones
+  ///   are in doubt
+  void number_by_secondary(std::span<const std::uint32_t> group) {
+    next_ = 0;
+    for (std::size_t begin = 0, end = 0; begin < group.size(); begin = end) {
+      const double secondary = rank(group[begin]).secondary;
+      while (end < group.size() && rank(group[end]).secondary == secondary)
+        ++end;
+      number_exactly(group.subspan(begin, end - begin));
+    }
+  }
+
+ private:
+  Rank& rank(std::uint32_t i) { return triangles_[i].rank; }
+
+  void number_exactly(std::span<const std::uint32_t> group) {
+    if (group.size() == 1) {
+      numbered_.emplace_back(group.front(), next_++);
+    } else {
+      keyed_.clear();
+      for (const std::uint32_t i : group)
+        keyed_.push_back({exact_(triangles_[i].facet), i});
+      std::sort(keyed_.begin(), keyed_.end(),
+                [](const Keyed& a, const Keyed& b) {
+                  return compare(a.key, b.key) < 0;
+                });
+      for (std::size_t k = 0; k < keyed_.size(); ++k) {
+        if (k > 0 && compare(keyed_[k - 1].key, keyed_[k].key) != 0) ++next_;
+        numbered_.emplace_back(keyed_[k].position, next_);
+      }
+      ++next_;
+    }
+  }
+
+  struct Keyed {
+    ExactRank key;
+    std::uint32_t position;
+  };
+
+  std::vector<RankedTriangle>& triangles_;
+  const std::function<ExactRank(delaunay::Facet)>& exact_;
+  std::vector<Keyed> keyed_;
+  std::vector<std::pair<std::uint32_t, std::uint64_t>> numbered_;
+  std::uint64_t next_ = 0;
+};
+
 }  // namespace
+
+void break_ties(std::vector<RankedTriangle>& triangles,
+                std::vector<std::uint32_t> ties,
+                const std::function<ExactRank(delaunay::Facet)>& exact) {
+  const auto rank = [&](std::uint32_t i) { return triangles[i].rank; };
+  // Numbers replace all secondaries at zero, so all of those are needed.
+  std::erase_if(ties, [&](std::uint32_t i) { return rank(i).primary == 0; });
+  for (std::uint32_t i = 0; i < triangles.size(); ++i)
+    if (rank(i).primary == 0) ties.push_back(i);
+  std::sort(ties.begin(), ties.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return rank(a) < rank(b);
+  });
+
+  TieBreaker breaker(triangles, exact);
+  const std::span<const std::uint32_t> all = ties;
+  for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end) {
+    const double primary = rank(all[begin]).primary;
+    while (end < all.size() && rank(all[end]).primary == primary) ++end;
+    const auto group = all.subspan(begin, end - begin);
+    if (primary == 0)
+      breaker.number_by_secondary(group);
+    else
+      breaker.number_by_primary(group);
+  }
+  breaker.apply();
+}
 
 std::vector<delaunay::Facet> facets(
     const delaunay::Triangulation3& triangulation) {

@@ -15,11 +15,14 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "umbrella/circumspheres.h"
 #include "umbrella/delaunay_triangle.h"
+#include "umbrella/exact_ratio.h"
 #include "umbrella/triangle.h"
 
 namespace umbrella {
@@ -31,13 +34,15 @@ concept Criterion = requires(const C& c, const DelaunayTriangle& t) {
 };
 
 /// A criterion whose rank() is good to a part of kNearTie only, and which can
-/// say it to the last bit. Triangles whose ranks differ by less are asked for
-/// exact_rank() and ordered by that, so the order is the one of exact_rank().
-/// Ranks must not be negative.
+/// say it exactly. Triangles whose ranks differ by less are asked for
+/// nearest_rank(), rounded once, and where that is the same for
+/// exact_rank(): so the order is the one of exact_rank(). Ranks must not be
+/// negative, and a primary of zero must be exact.
 template <class C>
 concept ExactCriterion = Criterion<C> &&
     requires(const C& c, const DelaunayTriangle& t) {
-  { c.exact_rank(t) } -> std::convertible_to<Rank>;
+  { c.nearest_rank(t) } -> std::convertible_to<Rank>;
+  { c.exact_rank(t) } -> std::convertible_to<ExactRank>;
 };
 
 /// Twice what rank() of an ExactCriterion may be off by, relatively.
@@ -52,13 +57,25 @@ struct PaperCriterion {
     const double r2 = t.squared_circumradius();
     return {t.squared_lambda_lower(r2), r2};
   }
-  Rank exact_rank(const DelaunayTriangle& t) const {
+  Rank nearest_rank(const DelaunayTriangle& t) const {
     return {t.exact_squared_lambda_lower(), t.exact_squared_circumradius()};
+  }
+  ExactRank exact_rank(const DelaunayTriangle& t) const {
+    return {t.squared_lambda_lower_ratio(), t.squared_circumradius_ratio()};
   }
 };
 
 /// Positions of the triangles whose ranks are too close to another's to trust.
 std::vector<std::uint32_t> near_ties(std::span<const RankedTriangle> triangles);
+
+/// Orders triangles whose ranks are equal, or may be for their primaries
+/// are, as `exact` does: their secondary ranks become consecutive numbers,
+/// the same for the same exact rank.
+///
+/// @param ties  near_ties(triangles), with the ranks there rounded once
+void break_ties(std::vector<RankedTriangle>& triangles,
+                std::vector<std::uint32_t> ties,
+                const std::function<ExactRank(delaunay::Facet)>& exact);
 
 void sort_by_corners(std::vector<RankedTriangle>& triangles);
 
@@ -69,8 +86,11 @@ struct CircumradiusCriterion {
     const double r2 = t.squared_circumradius();
     return {r2, t.squared_lambda_lower(r2)};
   }
-  Rank exact_rank(const DelaunayTriangle& t) const {
+  Rank nearest_rank(const DelaunayTriangle& t) const {
     return {t.exact_squared_circumradius(), t.exact_squared_lambda_lower()};
+  }
+  ExactRank exact_rank(const DelaunayTriangle& t) const {
+    return {t.squared_circumradius_ratio(), t.squared_lambda_lower_ratio()};
   }
 };
 
@@ -93,9 +113,15 @@ std::vector<RankedTriangle> ranked_triangles(
       triangles.push_back({t.corners(), facet, criterion.rank(t)});
   }
   if constexpr (ExactCriterion<C>) {
-    for (const std::uint32_t i : near_ties(triangles))
-      triangles[i].rank = criterion.exact_rank(
-          DelaunayTriangle(triangulation, spheres, triangles[i].facet));
+    const auto triangle = [&](delaunay::Facet facet) {
+      return DelaunayTriangle(triangulation, spheres, facet);
+    };
+    std::vector<std::uint32_t> ties = near_ties(triangles);
+    for (const std::uint32_t i : ties)
+      triangles[i].rank = criterion.nearest_rank(triangle(triangles[i].facet));
+    break_ties(triangles, std::move(ties), [&](delaunay::Facet facet) {
+      return criterion.exact_rank(triangle(facet));
+    });
   }
   sort_by_corners(triangles);
   return triangles;

@@ -41,13 +41,28 @@ double DelaunayTriangle::exact_squared_lambda_lower() const {
                   exact_squared_lambda(opposite()));
 }
 
+/// Those of the triangle, and the apex of the cell on one side.
+std::array<Point3, 4> DelaunayTriangle::corners_of(delaunay::Facet side) const {
+  const auto [a, b, c] = points();
+  const Cell& cell = triangulation_->cell(side.cell());
+  return {a, b, c, triangulation_->point(cell.vertex[side.index()])};
+}
+
 /// Towards the cell of a facet.
 double DelaunayTriangle::exact_squared_lambda(delaunay::Facet side) const {
-  const Cell& cell = triangulation_->cell(side.cell());
-  if (cell.is_infinite()) return 0;
-  const auto [a, b, c] = points();
-  const Point3& apex = triangulation_->point(cell.vertex[side.index()]);
-  return umbrella::exact_squared_lambda({a, b, c, apex});
+  if (triangulation_->cell(side.cell()).is_infinite()) return 0;
+  return umbrella::exact_squared_lambda(corners_of(side));
+}
+
+ExactRatio DelaunayTriangle::squared_lambda_lower_ratio() const {
+  if (on_hull()) return {};
+  const ExactRatio here = squared_lambda_ratio(corners_of(facet_));
+  const ExactRatio there = squared_lambda_ratio(corners_of(opposite()));
+  return compare(here, there) <= 0 ? here : there;
+}
+
+ExactRatio DelaunayTriangle::squared_circumradius_ratio() const {
+  return umbrella::squared_circumradius_ratio(points());
 }
 
 double DelaunayTriangle::exact_squared_circumradius() const {

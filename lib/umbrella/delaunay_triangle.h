@@ -7,6 +7,7 @@
 
 #include "delaunay/triangulation3.h"
 #include "umbrella/circumspheres.h"
+#include "umbrella/exact_ratio.h"
 #include "umbrella/lambda_interval.h"
 #include "umbrella/triangle.h"
 
@@ -72,6 +73,9 @@ class DelaunayTriangle {
   /// The doubles nearest to the exact values; slow.
   double exact_squared_lambda_lower() const;
   double exact_squared_circumradius() const;
+  /// Before rounding; slower still. The latter is of 4 r^2.
+  ExactRatio squared_lambda_lower_ratio() const;
+  ExactRatio squared_circumradius_ratio() const;
 
   double circumradius() const;  ///< in the unit of the points
   double area() const;          ///< in the squared unit of the points
@@ -83,6 +87,7 @@ class DelaunayTriangle {
     return r2 >= 0x1p-960 && R2 <= 0x1p+960;
   }
   double exact_squared_lambda(delaunay::Facet side) const;
+  std::array<Point3, 4> corners_of(delaunay::Facet side) const;
   delaunay::Facet opposite() const {
     return triangulation_->cell(facet_.cell()).neighbor[facet_.index()];
   }
