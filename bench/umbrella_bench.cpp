@@ -1,9 +1,11 @@
-// The stages after the triangulation, each alone, on a surface that exercises
-// all of them; lambda also on lattices, where ranks tie in masses.
+// The stages after the triangulation, each alone, over kinds of input: a
+// surface as they are made for, and points where triangles or ties abound.
 #include <benchmark/benchmark.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include "apps/shapes.h"
 #include "umbrella/certificate.h"
@@ -13,6 +15,7 @@
 #include "umbrella/filter.h"
 #include "umbrella/holes.h"
 #include "umbrella/reconstruct.h"
+#include "umbrella/surface.h"
 
 namespace {
 
@@ -85,27 +88,118 @@ void closing(benchmark::State& state, const char* shape) {
   count_points(state);
 }
 
-void whole(benchmark::State& state, const char* shape) {
+/// A surface without its triangles at the first `size` vertices, which lie
+/// together: one region of some more vertices than that.
+struct Torn {
+  std::vector<umbrella::RankedTriangle> kept, torn;
+  std::vector<umbrella::Hole> holes;
+
+  Torn(const Stages& s, std::size_t size) {
+    const auto closed =
+        umbrella::close_holes(s.triangulation, s.clean.triangles, s.holes);
+    std::vector<bool> is_bare(s.n);
+    for (const auto& [corners, facet] : closed.triangles) {
+      const bool is_torn = index(corners[0]) < size;
+      (is_torn ? torn : kept).push_back({corners, facet, {}});
+      for (const umbrella::VertexId v : corners)
+        is_bare[index(v)] = is_bare[index(v)] || is_torn;
+    }
+    std::vector<umbrella::VertexId> bare;
+    for (std::uint32_t v = 0; v < s.n; ++v)
+      if (is_bare[v]) bare.push_back(umbrella::VertexId{v});
+    holes = umbrella::find_holes(s.n, kept, torn, bare);
+  }
+};
+
+void one_region(benchmark::State& state) {
+  const Stages s("knot", 10'000);
+  const Torn t(s, static_cast<std::size_t>(state.range(0)));
+  for (auto _ : state)
+    benchmark::DoNotOptimize(
+        umbrella::close_holes(s.triangulation, t.kept, t.holes));
+  count_points(state);
+}
+
+void orientation(benchmark::State& state, const char* shape) {
+  const Stages s(shape, state.range(0));
+  std::vector<umbrella::Triangle> corners;
+  for (const auto& t : s.clean.triangles) corners.push_back(t.corners);
+  for (auto _ : state)
+    benchmark::DoNotOptimize(
+        umbrella::orient(s.triangulation.points(), corners));
+  count_points(state);
+}
+
+void certificate(benchmark::State& state, const char* shape) {
+  const Stages s(shape, state.range(0));
+  std::vector<umbrella::IndexedTriangle> rows;
+  for (const auto& [corners, facet, rank] : s.clean.triangles) {
+    const auto& [a, b, c] = corners;
+    rows.push_back({static_cast<std::uint32_t>(a),
+                    static_cast<std::uint32_t>(b),
+                    static_cast<std::uint32_t>(c)});
+  }
+  for (auto _ : state)
+    benchmark::DoNotOptimize(
+        umbrella::check_surface(s.triangulation.points(), rows));
+  count_points(state);
+}
+
+void whole(benchmark::State& state, const char* shape, umbrella::Stage stage) {
   const auto points =
       shapes::sample(shape, static_cast<std::size_t>(state.range(0)));
-  for (auto _ : state) benchmark::DoNotOptimize(umbrella::reconstruct(points));
+  umbrella::ReconstructOptions options;
+  options.stage = stage;
+  for (auto _ : state)
+    benchmark::DoNotOptimize(umbrella::reconstruct(points, options));
   count_points(state);
 }
 
 void sizes(benchmark::internal::Benchmark* b) {
-  b->RangeMultiplier(10)->Range(1000, 100'000)->Unit(benchmark::kMillisecond);
+  b->RangeMultiplier(10)->Range(1000, 1'000'000)->Unit(benchmark::kMillisecond);
 }
 
+// Lattice spheres of a million points leave the doubles' integers.
+void lattice_sizes(benchmark::internal::Benchmark* b) {
+  b->RangeMultiplier(10)->Range(1000, 10'000)->Unit(benchmark::kMillisecond);
+}
+
+BENCHMARK_CAPTURE(circumspheres, uniform, "uniform")->Apply(sizes);
 BENCHMARK_CAPTURE(circumspheres, knot, "knot")->Apply(sizes);
 BENCHMARK_CAPTURE(circumspheres, grid, "grid")->Apply(sizes);
-BENCHMARK_CAPTURE(ranks, knot, "knot")->Apply(sizes);
+BENCHMARK_CAPTURE(circumspheres, cospherical, "cospherical")
+    ->Apply(lattice_sizes);
 BENCHMARK_CAPTURE(ranks, uniform, "uniform")->Apply(sizes);
+BENCHMARK_CAPTURE(ranks, knot, "knot")->Apply(sizes);
 BENCHMARK_CAPTURE(ranks, grid, "grid")->Apply(sizes);
-BENCHMARK_CAPTURE(ranks, cospherical, "cospherical")->Apply(sizes);
+BENCHMARK_CAPTURE(ranks, cospherical, "cospherical")->Apply(lattice_sizes);
+BENCHMARK_CAPTURE(filter, uniform, "uniform")->Apply(sizes);
 BENCHMARK_CAPTURE(filter, knot, "knot")->Apply(sizes);
+BENCHMARK_CAPTURE(filter, grid, "grid")->Apply(sizes);
+BENCHMARK_CAPTURE(filter, cospherical, "cospherical")->Apply(lattice_sizes);
+BENCHMARK_CAPTURE(clean_up, uniform, "uniform")->Apply(sizes);
 BENCHMARK_CAPTURE(clean_up, knot, "knot")->Apply(sizes);
+BENCHMARK_CAPTURE(clean_up, grid, "grid")->Apply(sizes);
+BENCHMARK_CAPTURE(clean_up, cospherical, "cospherical")->Apply(lattice_sizes);
+BENCHMARK_CAPTURE(holes, uniform, "uniform")->Apply(sizes);
 BENCHMARK_CAPTURE(holes, knot, "knot")->Apply(sizes);
+BENCHMARK_CAPTURE(holes, grid, "grid")->Apply(sizes);
+BENCHMARK_CAPTURE(holes, cospherical, "cospherical")->Apply(lattice_sizes);
+BENCHMARK_CAPTURE(orientation, knot, "knot")->Apply(sizes);
+BENCHMARK_CAPTURE(certificate, knot, "knot")->Apply(sizes);
+
+// Points that are no surface have no closed one worth waiting for.
 BENCHMARK_CAPTURE(closing, knot, "knot")->Apply(sizes);
-BENCHMARK_CAPTURE(whole, knot, "knot")->Apply(sizes);
+BENCHMARK(one_region)
+    ->Arg(10)
+    ->Arg(100)
+    ->Arg(300)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(whole, knot, "knot", umbrella::Stage::Closed)->Apply(sizes);
+BENCHMARK_CAPTURE(whole, uniform, "uniform", umbrella::Stage::Clean)
+    ->Apply(sizes);
+BENCHMARK_CAPTURE(whole, grid, "grid", umbrella::Stage::Clean)->Apply(sizes);
+BENCHMARK_CAPTURE(whole, cospherical, "cospherical", umbrella::Stage::Clean)
+    ->Apply(lattice_sizes);
 
 }  // namespace

@@ -46,8 +46,9 @@ class DelaunayTriangle {
   /// No sample point lies in the open diametral ball; exact.
   bool is_gabriel() const {
     // Both are looked up at once: to wait for one would cost more.
-    return (spheres_->apex_outside_diametral_ball(facet_) &
-            spheres_->apex_outside_diametral_ball(opposite()));
+    const bool here = spheres_->apex_outside_diametral_ball(facet_);
+    const bool beyond = spheres_->apex_outside_diametral_ball(opposite());
+    return here && beyond;
   }
 
   /// Relative error below 2^-30, and far less for triangles and cells that
