@@ -14,6 +14,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "apps/command.h"
@@ -91,7 +92,10 @@ void print_summary(const Options& options, const Outcome& outcome,
 // What would fail only after all the work, or spoil it.
 void require_outputs(const Options& options) {
   const auto place = [](const std::string& path) {
-    return std::filesystem::weakly_canonical(std::filesystem::absolute(path));
+    std::error_code error;  // then the path itself has to do
+    const auto full = std::filesystem::absolute(path, error);
+    const auto canonical = std::filesystem::weakly_canonical(full, error);
+    return error ? full : canonical;
   };
   for (const std::string& path : {options.out, options.report})
     if (!path.empty()) io::require_writable(path);

@@ -78,6 +78,7 @@ TEST_F(Command, RefusesBadUsageInOneLine) {
   expect_error("reconstruct p.xyz --threads two", "--threads");
   expect_error("reconstruct p.xyz -o mesh.xyz", "mesh.xyz: cannot write");
   expect_error("reconstruct p.xyz -o no/mesh.ply", "no/mesh.ply: cannot write");
+  expect_error("reconstruct p.xyz -o " + std::string(300, 'x') + ".ply", "xxx");
   expect_error("reconstruct p.xyz -o - --report -", "cannot both be -");
   expect_error("reconstruct p.xyz -o m.ply --report ./m.ply",
                "cannot both be m.ply");
@@ -185,6 +186,15 @@ TEST_F(Command, NoticesAFullStandardOutput) {
     EXPECT_THAT(result.err,
                 StartsWith("umbrella: error: <stdout>: cannot write"));
   }
+}
+
+// Some programs of this set are given up at a limit, and solved once grown.
+TEST_F(Command, CallsAClosedCurveASuccess) {
+  run("generate star -n 300 --seed 2 --noise 1 -o star.xyz");
+  const Finished made = run("reconstruct star.xyz");
+  EXPECT_THAT(made.out, HasSubstr("300 edges"));
+  EXPECT_THAT(made.out, HasSubstr("closed, manifold"));
+  EXPECT_EQ(made.status, 0);
 }
 
 TEST_F(Command, CheckFindsWhatIsWrong) {
