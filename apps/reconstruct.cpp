@@ -8,11 +8,13 @@
 #include <array>
 #include <cstdint>
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
 #include <map>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "apps/command.h"
@@ -87,9 +89,24 @@ void print_summary(const Options& options, const Outcome& outcome,
       << " (" << seconds.data() << " s)\n";
 }
 
+// What would fail only after all the work, or spoil it.
+void require_outputs(const Options& options) {
+  const auto place = [](const std::string& path) {
+    std::error_code error;  // then the path itself has to do
+    const auto full = std::filesystem::absolute(path, error);
+    const auto canonical = std::filesystem::weakly_canonical(full, error);
+    return error ? full : canonical;
+  };
+  for (const std::string& path : {options.out, options.report})
+    if (!path.empty()) io::require_writable(path);
+  if (options.out.empty() || options.report.empty()) return;
+  if (place(options.out) == place(options.report))
+    throw std::invalid_argument("-o and --report cannot both be " +
+                                options.out);
+}
+
 ExitCode reconstruct(const Options& options) {
-  if (options.out == "-" && options.report == "-")
-    throw std::invalid_argument("-o and --report cannot both be -");
+  require_outputs(options);
   const Request& request = options.request;
   terminal::Progress progress(options.quiet);
   const StopWatch total;
@@ -118,6 +135,14 @@ ExitCode reconstruct(const Options& options) {
   const bool as_asked =
       outcome.sound || request.stage != umbrella::Stage::Closed;
   return as_asked ? ExitCode::Done : ExitCode::Open;
+}
+
+// Empty if the text is a time. (CLI::Range lets NaN through.)
+std::string seconds_problem(const std::string& text) {
+  double value = 0;
+  const bool is_time =
+      CLI::detail::lexical_cast(text, value) && value >= 0 && value <= 1e9;
+  return is_time ? "" : "Value " + text + " not in range 0 to 1e9";
 }
 
 void add_file_options(CLI::App& sub, Options& options) {
@@ -163,7 +188,7 @@ void add_method_options(CLI::App& sub, Request& request) {
       ->type_name("MODE");
   sub.add_option("--time-limit", request.time_limit,
                  "Seconds for closing; regions undecided by then stay open")
-      ->check(CLI::Range(0.0, 1e9))
+      ->check(seconds_problem)
       ->type_name("S");
 }
 

@@ -90,8 +90,7 @@ Outcome reconstruct_plane(const io::PointSet& points, const Request& request) {
                     (curve.components == 1 ? " curve" : " curves");
   outcome.state = curve.closed ? "closed" : "open";
   outcome.state += curve.manifold ? ", manifold" : ", not manifold";
-  outcome.sound =
-      curve.closed && curve.manifold && result.closing.undecided == 0;
+  outcome.sound = curve.closed && curve.manifold;
   outcome.lambda = std::move(result.lambda);
   return outcome;
 }

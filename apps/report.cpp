@@ -79,6 +79,9 @@ std::string lines(const Json& json) {
   return out;
 }
 
-std::string text(const Json& json) { return json.dump(2) + "\n"; }
+// File names may hold any byte; JSON holds UTF-8 alone.
+std::string text(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
 
 }  // namespace report

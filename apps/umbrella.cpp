@@ -57,6 +57,8 @@ ExitCode run(int argc, char** argv) {
   } catch (const CLI::ParseError& e) {
     return fail(ExitCode::BadInput, e.what());
   }
+  if (!std::cout.flush())
+    return fail(ExitCode::BadInput, "<stdout>: cannot write");
   return exit_code;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <random>
@@ -49,6 +50,20 @@ TEST(CheckSurface, CountsHandlesAndPieces) {
   EXPECT_EQ(three.genus, 2);
   EXPECT_EQ(three.euler, 2);
   EXPECT_TRUE(three.closed && three.manifold && three.outward);
+}
+
+TEST(CheckSurface, KnowsOutwardAtEveryScale) {
+  for (const int exponent : {-1074, -1022, -500, -1, 500, 1023}) {
+    SCOPED_TRACE(exponent);
+    IndexedMesh mesh = tests::tetrahedron();
+    for (auto& p : mesh.vertices) p *= std::ldexp(1, exponent);
+    const SurfaceReport report = check(mesh);
+    EXPECT_TRUE(report.outward);
+    EXPECT_EQ(report.volume,
+              std::ldexp(check(tests::tetrahedron()).volume, 3 * exponent));
+    EXPECT_EQ(report.area,
+              std::ldexp(check(tests::tetrahedron()).area, 2 * exponent));
+  }
 }
 
 TEST(CheckSurface, DoesNotDependOnOrder) {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -28,10 +29,11 @@ class Command : public ::testing::Test {
  protected:
   // Runs in the folder of the test, by the shell.
   Finished run(const std::string& arguments,
-               const std::string& input = "/dev/null") {
+               const std::string& input = "/dev/null",
+               const std::string& output = "out") {
     const std::string line = "cd '" + folder_.path("") + "' && '" +
-                             kCommandPath + "' " + arguments + " >out 2>err <" +
-                             input;
+                             kCommandPath + "' " + arguments + " 2>err <" +
+                             input + " >" + output;
     const int status = std::system(line.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1,
             folder_.content("out"), folder_.content("err")};
@@ -71,11 +73,15 @@ TEST_F(Command, RefusesBadUsageInOneLine) {
   expect_error("reconstruct p.xyz --close worst", "worst");
   expect_error("reconstruct p.xyz --criterion none", "none");
   expect_error("reconstruct p.xyz --time-limit -1", "--time-limit");
+  expect_error("reconstruct p.xyz --time-limit nan", "--time-limit");
   expect_error("reconstruct p.xyz --threads 0", "--threads");
   expect_error("reconstruct p.xyz --threads two", "--threads");
   expect_error("reconstruct p.xyz -o mesh.xyz", "mesh.xyz: cannot write");
   expect_error("reconstruct p.xyz -o no/mesh.ply", "no/mesh.ply: cannot write");
+  expect_error("reconstruct p.xyz -o " + std::string(300, 'x') + ".ply", "xxx");
   expect_error("reconstruct p.xyz -o - --report -", "cannot both be -");
+  expect_error("reconstruct p.xyz -o m.ply --report ./m.ply",
+               "cannot both be m.ply");
   expect_error("generate", "is required");
   expect_error("generate klein-bottle -n 3", "klein-bottle");
   expect_error("generate knot -n 0", "--count");
@@ -150,6 +156,45 @@ TEST_F(Command, ReconstructsCurves) {
   EXPECT_EQ(report["surface"]["edges"], 120);
   EXPECT_EQ(report["surface"]["components"], 2);
   EXPECT_EQ(run("check curve.ply --points circles.xyz").status, 0);
+}
+
+TEST_F(Command, WritesNoMeshIfTheReportCannotBeWritten) {
+  folder_.file("p.xyz", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n");
+  expect_error("reconstruct p.xyz -o mesh.ply --report no/report.json",
+               "no/report.json: cannot write");
+  EXPECT_FALSE(std::filesystem::exists(folder_.path("mesh.ply")));
+}
+
+TEST_F(Command, TakesFileNamesThatAreNoText) {
+  folder_.file("p\xff.xyz", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n");
+  const Finished made = run("reconstruct p\xff.xyz --report -");
+  EXPECT_EQ(made.status, 0) << made.err;
+  EXPECT_EQ(Json::parse(made.out)["input"]["points"], 4);
+}
+
+TEST_F(Command, NoticesAFullStandardOutput) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
+  folder_.file("closed.off",
+               "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n"
+               "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n");
+  for (const std::string arguments :
+       {"check closed.off", "reconstruct closed.off",
+        "reconstruct closed.off -o -", "generate sphere -n 9", "--help"}) {
+    SCOPED_TRACE(arguments);
+    const Finished result = run(arguments, "/dev/null", "/dev/full");
+    EXPECT_EQ(result.status, 2);
+    EXPECT_THAT(result.err,
+                StartsWith("umbrella: error: <stdout>: cannot write"));
+  }
+}
+
+// Some programs of this set are given up at a limit, and solved once grown.
+TEST_F(Command, CallsAClosedCurveASuccess) {
+  run("generate star -n 300 --seed 2 --noise 1 -o star.xyz");
+  const Finished made = run("reconstruct star.xyz");
+  EXPECT_THAT(made.out, HasSubstr("300 edges"));
+  EXPECT_THAT(made.out, HasSubstr("closed, manifold"));
+  EXPECT_EQ(made.status, 0);
 }
 
 TEST_F(Command, CheckFindsWhatIsWrong) {

@@ -221,6 +221,13 @@ TEST_F(MeshFile, ReplacesATargetAndFollowsALink) {
   EXPECT_EQ(folder_.content("old"), "new");
   EXPECT_TRUE(std::filesystem::is_symlink(folder_.path("link")));
   EXPECT_EQ(folder_.n_files(), 2U);
+  std::filesystem::create_symlink("new", folder_.path("ahead"));
+  io::write_file(folder_.path("ahead"), "first");  // of a link to no file yet
+  EXPECT_EQ(folder_.content("new"), "first");
+  EXPECT_TRUE(std::filesystem::is_symlink(folder_.path("ahead")));
+  std::filesystem::create_symlink("ring", folder_.path("ring"));
+  EXPECT_THROW(io::write_file(folder_.path("ring"), "x"), io::WriteError);
+  EXPECT_EQ(folder_.n_files(), 5U);
   io::write_file("/dev/null", "x");
   EXPECT_FALSE(std::filesystem::is_regular_file("/dev/null"));
 }

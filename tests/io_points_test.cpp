@@ -134,6 +134,7 @@ TEST_F(ReadPoints, TakesVerticesOfEveryMeshFormat) {
   expect_two_points("OFF\n2 0 0\n1 2.5 -3\n4 5 6e-3\n");
   expect_two_points("COFF # c\n2 0 0\n\n1 2.5 -3 255 0 0 1\n4 5 6e-3 0 0 0 1");
   expect_two_points("OFF 2 1\n1 2.5 -3\n4 5 6e-3\n2 0 1\n");
+  expect_two_points("OFF 2 1\n1 2.5 -3\n4 5 6e-3\n3 0 1 99\n");
   expect_two_points("# c\no a\nv 1 2.5 -3\nvn 0 0 1\nv 4 5 6e-3 1\nf 1 2 3\n");
   expect_two_points(
       "ply\nformat ascii 1.0\ncomment c\nobj_info i\nelement other 1\n"

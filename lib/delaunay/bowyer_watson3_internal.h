@@ -15,7 +15,8 @@ namespace delaunay {
 /// The triangulation of the vertices inserted so far, always complete.
 class BowyerWatson3 {
  public:
-  /// @param points  distinct, coordinates in [-1, 1]
+  /// @param points  distinct; quickest if their coordinates fill [-1, 1], for
+  ///   spheres far larger or smaller are not cached
   /// @param first   four vertices that span space, in any order
   BowyerWatson3(std::span<const Point3> points,
                 const std::array<VertexId, 4>& first);

@@ -1,5 +1,7 @@
 #include "io/file.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
@@ -23,7 +25,7 @@ using File = std::unique_ptr<std::FILE, Close>;
 std::string reason(int error) { return std::generic_category().message(error); }
 
 [[noreturn]] void fail_write(const std::string& path, const std::string& why) {
-  throw WriteError(display_name(path) + ": cannot write: " + why);
+  throw WriteError(display_output(path) + ": cannot write: " + why);
 }
 
 std::string read_all(std::FILE* file, std::size_t expected,
@@ -73,6 +75,40 @@ void write_and_rename(const std::string& path, const fs::path& target,
   fail_write(path, error.message());
 }
 
+// Where the links lead, whether or not there is a file yet.
+fs::path behind_links(const std::string& path) {
+  constexpr int kMostLinks = 40;  // as Linux has it
+  fs::path target = path;
+  std::error_code error;
+  for (int i = 0; fs::is_symlink(target, error); ++i) {
+    if (i == kMostLinks) fail_write(path, reason(ELOOP));
+    target = target.parent_path() / fs::read_symlink(target, error);
+    if (error) fail_write(path, error.message());
+  }
+  return target;
+}
+
+// Something other than a file or a folder, such as a pipe.
+bool is_device(const fs::path& target) {
+  std::error_code error;
+  const fs::file_status status = fs::status(target, error);
+  return fs::exists(status) && !fs::is_regular_file(status);
+}
+
+fs::path writable_target(const std::string& path) {
+  const fs::path target = behind_links(path);
+  std::error_code error;
+  if (fs::is_directory(target, error)) fail_write(path, reason(EISDIR));
+  if (is_device(target)) return target;
+  // Renaming needs no leave to write the target; respect its protection.
+  if (fs::exists(target, error) && !File(std::fopen(target.c_str(), "r+b")))
+    fail_write(path, reason(errno));
+  const fs::path folder = target.has_parent_path() ? target.parent_path() : ".";
+  if (access((folder / "").c_str(), W_OK | X_OK) != 0)
+    fail_write(path, reason(errno));
+  return target;
+}
+
 }  // namespace
 
 std::string read_file(const std::string& path) {
@@ -86,20 +122,17 @@ std::string read_file(const std::string& path) {
   return read_all(file.get(), error ? 0 : size, path);
 }
 
+void require_writable(const std::string& path) {
+  if (path != "-") writable_target(path);
+}
+
 void write_file(const std::string& path, std::string_view bytes) {
   if (path == "-") {
     if (!put(stdout, bytes)) fail_write(path, reason(errno));
     return;
   }
-  std::error_code error;
-  fs::path target = path;
-  if (fs::is_symlink(path, error)) target = fs::weakly_canonical(path, error);
-  const fs::file_status status = fs::status(target, error);
-  if (fs::is_directory(status)) fail_write(path, reason(EISDIR));
-  if (!fs::exists(status)) return write_and_rename(path, target, bytes);
-  if (!fs::is_regular_file(status)) return write_directly(path, bytes);
-  // Renaming needs no leave to write the target; respect its protection.
-  if (!File(std::fopen(target.c_str(), "r+b"))) fail_write(path, reason(errno));
+  const fs::path target = writable_target(path);
+  if (is_device(target)) return write_directly(path, bytes);
   write_and_rename(path, target, bytes);
 }
 

@@ -20,7 +20,7 @@ OutputFormat mesh_format(const std::string& path, int dimension) {
                          ? std::array{OutputFormat::Off, OutputFormat::Stl}
                          : std::array{OutputFormat::Text, OutputFormat::Text};
   if (!format || std::ranges::count(wrong, *format) > 0)
-    throw WriteError(display_name(path) +
+    throw WriteError(display_output(path) +
                      ": cannot write: the extension of a " +
                      (dimension == 2 ? "curve is .ply, .obj or .txt"
                                      : "mesh is .ply, .off, .obj or .stl"));
@@ -67,7 +67,7 @@ void write_mesh(const std::string& path, const Mesh& mesh,
       break;
   }
   if (!fits_float(mesh))
-    throw WriteError(display_name(path) +
+    throw WriteError(display_output(path) +
                      ": cannot write: a coordinate exceeds the floats of STL");
   write_file(path, stl_bytes(mesh));
 }

@@ -69,14 +69,14 @@ Mesh parse_off(const Source& source) {
   std::vector<std::uint32_t> corners;
   for (std::int64_t i = 0; i < counts.faces; ++i) {
     require_row(scan, i, counts.faces, "faces");
+    if (!source.faces) continue;
     const std::int64_t n = scan.integer(1, kMaxVertices, "the corner count");
-    if (source.faces && n < 3)
-      scan.fail_at_last("a face of " + std::to_string(n) + " corners");
+    if (n < 3) scan.fail_at_last("a face of " + std::to_string(n) + " corners");
     corners.clear();
     for (std::int64_t k = 0; k < n; ++k)
       corners.push_back(static_cast<std::uint32_t>(
           scan.integer(0, counts.vertices - 1, "the vertex index")));
-    if (source.faces) add_face(corners, mesh);
+    add_face(corners, mesh);
   }
   return mesh;
 }

@@ -26,7 +26,7 @@ void write_points(const std::string& path, const PointSet& points) {
       return write_file(path, obj_text(mesh));
     case OutputFormat::Off:
     case OutputFormat::Stl:
-      throw WriteError(display_name(path) +
+      throw WriteError(display_output(path) +
                        ": points go to .ply, .obj and text files");
     case OutputFormat::Text:
       return write_file(path, row_text(mesh));

@@ -34,6 +34,10 @@ std::string display_name(std::string_view path) {
   return path == "-" ? "<stdin>" : escaped(path, false);
 }
 
+std::string display_output(std::string_view path) {
+  return path == "-" ? "<stdout>" : escaped(path, false);
+}
+
 std::string quoted(std::string_view text) {
   constexpr std::size_t kLongest = 40;
   std::string out = "'";

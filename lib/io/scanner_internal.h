@@ -12,6 +12,9 @@ namespace io {
 /// A file name for messages: `-` is <stdin>, control characters are escaped.
 std::string display_name(std::string_view path);
 
+/// As display_name; but `-` is <stdout>.
+std::string display_output(std::string_view path);
+
 /// 'text', for messages: escaped, and cut when long.
 std::string quoted(std::string_view text);
 

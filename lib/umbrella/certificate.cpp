@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <stdexcept>
@@ -266,21 +267,38 @@ void judge_stars(const Stars& stars, std::span<const IndexedTriangle> triangles,
                  static_cast<std::int64_t>(triangles.size());
 }
 
+/// The exponent of a power of two that brings the largest coordinate so near 1
+/// that its square and cube neither overflow nor vanish.
+int scaling_exponent(std::span<const Eigen::Vector3d> vertices,
+                     std::span<const IndexedTriangle> triangles) {
+  double largest = 0;
+  for (const IndexedTriangle& t : triangles)
+    for (const std::uint32_t v : t)
+      largest = std::max(largest, vertices[v].lpNorm<Eigen::Infinity>());
+  return largest > 0 ? std::clamp(-std::ilogb(largest), -1000, 1000) : 0;
+}
+
 /// Area, volume, and whether each component's volume is positive.
 void measure(std::span<const Eigen::Vector3d> vertices,
              std::span<const IndexedTriangle> triangles, SurfaceReport& report,
              Components& components) {
+  const int exponent = scaling_exponent(vertices, triangles);
+  const double scale = std::ldexp(1, exponent);
+  const auto at = [&](std::uint32_t v) -> Eigen::Vector3d {
+    return scale * vertices[v];
+  };
   std::vector<double> volume(triangles.size());
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
     const std::uint32_t component = components.root(t);
     // Seen from a point of the component, so that little cancels.
-    const Eigen::Vector3d& origin = vertices[triangles[component][0]];
-    const Eigen::Vector3d a = vertices[triangles[t][0]] - origin;
-    const Eigen::Vector3d b = vertices[triangles[t][1]] - origin;
-    const Eigen::Vector3d c = vertices[triangles[t][2]] - origin;
+    const Eigen::Vector3d origin = at(triangles[component][0]);
+    const Eigen::Vector3d a = at(triangles[t][0]) - origin;
+    const Eigen::Vector3d b = at(triangles[t][1]) - origin;
+    const Eigen::Vector3d c = at(triangles[t][2]) - origin;
     report.area += (b - a).cross(c - a).norm() / 2;
     volume[component] += a.dot(b.cross(c)) / 6;
   }
+  report.area = std::ldexp(report.area, -2 * exponent);
   if (!report.closed || !report.oriented) return;
   report.outward = true;
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
@@ -288,6 +306,7 @@ void measure(std::span<const Eigen::Vector3d> vertices,
     report.volume += volume[t];
     report.outward = report.outward && volume[t] > 0;
   }
+  report.volume = std::ldexp(report.volume, -3 * exponent);
 }
 
 }  // namespace
