@@ -26,18 +26,28 @@ class Closing {
   ClosingResult run(std::span<const Hole> holes);
 
  private:
-  /// A region that is still open, and its last attempt.
-  struct Task {
+  struct Banned {
     Region region;
+    Attempt attempt;
+    std::size_t n_regions;
+  };
+
+  /// A region that is still open.
+  struct Task {
+    Region region;  // as given, with those swallowed
     Attempt last;
-    std::size_t n_regions = 1;  // with those swallowed
+    std::vector<VertexId> stuck;   // of all contradictions met
+    std::optional<Banned> banned;  // first attempt that closed small pieces
+    std::size_t n_regions = 1;     // with those swallowed
   };
 
   void solve_as_given(std::vector<Region> regions);
   void repair(Task task);
   bool grow(Task& task);
-  bool try_grown(Task& task, const Region& region);
-  bool allow_pieces(Task& task, const Attempt& as_given);
+  bool attempt(Task& task, Region& region,
+               std::span<const VertexId> may_drop = {});
+  void note(Task& task, const Region& region) const;
+  bool allow_pieces(Task& task);
   bool drop_points(Task& task);
   void swallow(Task& task, Region& region);
   void accept(const Attempt& solved);
@@ -85,50 +95,64 @@ void Closing::solve_as_given(std::vector<Region> regions) {
       accept(attempt);
       ++report.feasible;
     } else {
-      tasks_.push_back({std::move(region), std::move(attempt)});
+      tasks_.push_back({std::move(region), std::move(attempt), {}, {}, 1});
+      note(tasks_.back(), tasks_.back().region);
     }
   }
 }
 
 void Closing::repair(Task task) {
-  const Attempt as_given = task.last;
-  if (grow(task) || allow_pieces(task, as_given) || drop_points(task)) {
+  const Outcome as_given = task.last.outcome;
+  if (grow(task) || allow_pieces(task) || drop_points(task)) {
     result_.report.grown += task.n_regions;
     return;
   }
-  (as_given.outcome == Outcome::Infeasible ? result_.report.infeasible
-                                           : result_.report.undecided) +=
+  (as_given == Outcome::Infeasible ? result_.report.infeasible
+                                   : result_.report.undecided) +=
       task.n_regions;
 }
 
 /// Around what contradicts itself: all Delaunay triangles with two corners
 /// there, then with one; the same with a ring of vertices more; and again
-/// around what contradicts itself then.
+/// around what contradicts itself then. Each program holds the last one, so one
+/// that is not larger is the same.
 bool Closing::grow(Task& task) {
-  constexpr int kRounds = 3;
-  std::vector<VertexId> stuck = task.last.stuck;
+  constexpr int kRounds = 6;
   Region region = task.region;
-  for (int round = 0; round < kRounds && !stuck.empty(); ++round) {
+  for (int round = 0; round < kRounds && !task.stuck.empty(); ++round) {
     for (const unsigned reach : {2U, 1U, 3U}) {
+      region.stuck = task.stuck;
+      region.reach = reach;
       if (reach == 3)
         region.vertices =
-            united(region.vertices, solver_.neighborhoods().ring(stuck));
-      region.stuck = stuck;
-      region.reach = reach;
-      if (try_grown(task, region)) return true;
-      stuck = united(stuck, task.last.stuck);
+            united(region.vertices, solver_.neighborhoods().ring(task.stuck));
+      if (attempt(task, region)) return true;
+      if (task.last.outcome == Outcome::Undecided) return false;
     }
   }
   return false;
 }
 
-bool Closing::try_grown(Task& task, const Region& region) {
-  Region whole = region;
-  swallow(task, whole);
-  task.last = solver_.attempt(whole);
-  if (task.last.outcome != Outcome::Solved) return false;
-  accept(task.last);
-  return true;
+/// Tries a region that holds task.region, and keeps what can be learned.
+bool Closing::attempt(Task& task, Region& region,
+                      std::span<const VertexId> may_drop) {
+  swallow(task, region);
+  if (may_drop.empty() &&
+      solver_.n_candidates(region) == task.last.n_candidates)
+    return false;
+  task.last = solver_.attempt(region, may_drop);
+  if (task.last.outcome == Outcome::Solved) {
+    accept(task.last);
+    return true;
+  }
+  note(task, region);
+  return false;
+}
+
+void Closing::note(Task& task, const Region& region) const {
+  task.stuck = united(task.stuck, task.last.stuck);
+  if (task.last.outcome == Outcome::Banned && !task.banned)
+    task.banned = Banned{region, task.last, task.n_regions};
 }
 
 /// Open regions that the program would touch become part of it.
@@ -149,6 +173,7 @@ void Closing::swallow(Task& task, Region& region) {
       }
       region.vertices = united(region.vertices, theirs);
       task.region.vertices = united(task.region.vertices, theirs);
+      task.stuck = united(task.stuck, other->stuck);
       task.n_regions += other->n_regions;
       other = tasks_.erase(other);
       has_grown = true;
@@ -158,39 +183,45 @@ void Closing::swallow(Task& task, Region& region) {
 
 /// Lifts the ban on the largest small piece met, until there is a solution; at
 /// a limit, on all.
-bool Closing::allow_pieces(Task& task, const Attempt& as_given) {
-  if (as_given.outcome != Outcome::Banned) return false;
+bool Closing::allow_pieces(Task& task) {
+  if (!task.banned) return false;
+  Region region = task.banned->region;
+  region.vertices = united(region.vertices, task.region.vertices);
+  Attempt last = std::move(task.banned->attempt);
+  bool is_current = task.banned->n_regions == task.n_regions;
   std::vector<Piece> allowed;
-  task.last = as_given;
-  while (task.last.outcome == Outcome::Banned && !task.last.stuck.empty()) {
-    allowed.push_back(*std::max_element(
-        task.last.pieces.begin(), task.last.pieces.end(),
-        [](const Piece& a, const Piece& b) {
-          return a.n_triangles != b.n_triangles ? a.n_triangles < b.n_triangles
-                                                : a.vertices > b.vertices;
-        }));
-    task.last = solver_.attempt(task.region, {}, allowed);
+  while (last.outcome == Outcome::Banned &&
+         (!is_current || !last.stuck.empty())) {
+    allowed.push_back(*std::max_element(last.pieces.begin(), last.pieces.end(),
+                                        [](const Piece& a, const Piece& b) {
+                                          return a.n_triangles != b.n_triangles
+                                                     ? a.n_triangles <
+                                                           b.n_triangles
+                                                     : a.vertices > b.vertices;
+                                        }));
+    last = solver_.attempt(region, {}, allowed);
+    is_current = true;
   }
-  if (task.last.outcome != Outcome::Solved &&
-      task.last.outcome != Outcome::Banned)
+  if (last.outcome != Outcome::Solved && last.outcome != Outcome::Banned)
     return false;
-  accept(task.last);
+  accept(last);
   return true;
 }
 
-/// Leaves out vertices of the contradiction, and of those that follow it.
+/// Lets vertices of the contradictions stay bare, in a region that grows around
+/// them. Leaving out counts as worse than any triangle, so no vertex goes for
+/// nothing.
 bool Closing::drop_points(Task& task) {
+  constexpr int kRounds = 8;
   if (!options_.drop_points) return false;
-  std::vector<VertexId> may_drop;
-  while (task.last.outcome == Outcome::Infeasible ||
-         task.last.outcome == Outcome::Banned) {
-    const std::vector<VertexId> more = united(may_drop, task.last.stuck);
-    if (more == may_drop) return false;
-    may_drop = more;
-    task.last = solver_.attempt(task.region, may_drop);
-    if (task.last.outcome != Outcome::Solved) continue;
-    accept(task.last);
-    return true;
+  Region region = task.region;
+  for (int round = 0; round < kRounds && !task.stuck.empty(); ++round) {
+    const std::vector<VertexId> may_drop = task.stuck;
+    if (attempt(task, region, may_drop)) return true;
+    if (task.last.outcome == Outcome::Undecided) return false;
+    std::vector<VertexId> around = united(may_drop, task.last.stuck);
+    region.vertices =
+        united(region.vertices, solver_.neighborhoods().ring(around));
   }
   return false;
 }

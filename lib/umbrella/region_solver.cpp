@@ -63,6 +63,7 @@ Attempt RegionSolver::attempt(const Region& region,
   order_worst_first(work);
   search(work);
   conflicts_ += work.solver.statistics().conflicts;
+  propagations_ += work.solver.statistics().propagations;
   return std::move(work.result);
 }
 
@@ -167,14 +168,20 @@ void RegionSolver::cut(Work& work, const Piece& piece) {
   work.result.pieces.push_back(piece);
 }
 
-/// What is left of the limits of one attempt.
+/// What one attempt may still take.
 ilp::Limits RegionSolver::limits(const ilp::Solver& solver) const {
   const std::chrono::duration<double> spent =
       std::chrono::steady_clock::now() - start_;
+  constexpr std::uint64_t kPart = 4;
+  const auto left = [](std::uint64_t all, std::uint64_t used) {
+    return all - std::min(all, used);
+  };
+  const ilp::Statistics used = solver.statistics();
   ilp::Limits limits;
   limits.conflicts =
-      options_.conflicts -
-      std::min(options_.conflicts, solver.statistics().conflicts);
+      left(left(options_.conflicts, conflicts_) / kPart, used.conflicts);
+  limits.propagations = left(left(options_.propagations, propagations_) / kPart,
+                             used.propagations);
   limits.seconds = std::max(0.0, options_.seconds - spent.count());
   return limits;
 }

@@ -54,6 +54,9 @@ class RegionSolver {
   /// All vertices the program of the region would have; ascending.
   std::vector<VertexId> vertices(const Region& region);
 
+  std::size_t n_candidates(const Region& region) {
+    return neighborhoods_.candidates(region).size();
+  }
   Neighborhoods& neighborhoods() { return neighborhoods_; }
   std::uint64_t conflicts() const { return conflicts_; }
 
@@ -74,6 +77,7 @@ class RegionSolver {
   Badness badness_;
   PieceFinder piece_finder_;
   std::uint64_t conflicts_ = 0;
+  std::uint64_t propagations_ = 0;
   std::chrono::steady_clock::time_point start_;
 };
 
