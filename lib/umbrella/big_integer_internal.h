@@ -43,6 +43,10 @@ class BigInteger {
   Limbs limbs_;
 };
 
+struct WholeFraction {
+  BigInteger numerator, denominator;
+};
+
 /// The largest e for which x / 2^e is whole; INT_MAX for 0.
 int lowest_bit(double x);
 

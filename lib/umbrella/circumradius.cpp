@@ -78,6 +78,13 @@ RadiusFraction<T> lambda_fraction(const Vector<T>& u, const Vector<T>& v,
           circle.denominator * ball.numerator};
 }
 
+WholeFraction whole_lambda(const std::array<Point3, 4>& abcd) {
+  const WholeDifferences<4> d(abcd);
+  const auto& [u, v, w] = d.difference;
+  RadiusFraction<BigInteger> lambda = lambda_fraction(u, v, w);
+  return {std::move(lambda.numerator), std::move(lambda.denominator)};
+}
+
 ExactRatio ratio(const RadiusFraction<double>& whole, int exponent) {
   return {static_cast<std::int64_t>(whole.numerator),
           static_cast<std::int64_t>(whole.denominator), exponent};
@@ -138,6 +145,20 @@ PairRadius pair_radius(const std::array<Point3, 4>& abcd, double scale) {
   const auto w = pair_difference(abcd[3], abcd[0], scale);
   return pair_radius(sphere_radius(sphere(u, v, w)),
                      {dot(u, u), dot(v, v), dot(w, w)});
+}
+
+struct PairLambda {
+  Pair value;
+  double error;  // infinite where underflow could spoil the value
+};
+
+PairLambda pair_lambda(const std::array<Point3, 4>& abcd) {
+  const double scale = power_of_two_scale(abcd);
+  const PairRadius r =
+      pair_radius(std::array{abcd[0], abcd[1], abcd[2]}, scale);
+  const PairRadius R = pair_radius(abcd, scale);
+  const Pair quotient = r.value / R.value;
+  return {quotient, kPairError * (r.flatness + R.flatness) * quotient.hi};
 }
 
 std::optional<double> quarter_rounded(const PairRadius& r) {
@@ -220,16 +241,9 @@ double exact_squared_lambda(const std::array<Point3, 4>& abcd) {
     const RadiusFraction<double> lambda = lambda_fraction(u, v, w);
     return lambda.numerator / lambda.denominator;
   }
-  const double scale = power_of_two_scale(abcd);
-  const PairRadius r =
-      pair_radius(std::array{abcd[0], abcd[1], abcd[2]}, scale);
-  const PairRadius R = pair_radius(abcd, scale);
-  const Pair quotient = r.value / R.value;
-  const double error = kPairError * (r.flatness + R.flatness) * quotient.hi;
+  const auto [quotient, error] = pair_lambda(abcd);
   if (const auto lambda = quotient.rounded(error)) return *lambda;
-  const WholeDifferences<4> d(abcd);
-  const auto& [u, v, w] = d.difference;
-  const RadiusFraction<BigInteger> lambda = lambda_fraction(u, v, w);
+  const WholeFraction lambda = whole_lambda(abcd);
   return nearest_quotient(lambda.numerator, lambda.denominator, 0);
 }
 
@@ -238,10 +252,10 @@ ExactRatio squared_lambda_ratio(const std::array<Point3, 4>& abcd) {
     const auto& [u, v, w] = small->difference;
     return ratio(lambda_fraction(u, v, w), 0);
   }
-  const WholeDifferences<4> d(abcd);
-  const auto& [u, v, w] = d.difference;
-  RadiusFraction<BigInteger> lambda = lambda_fraction(u, v, w);
-  return {std::move(lambda.numerator), std::move(lambda.denominator), 0};
+  const auto [quotient, error] = pair_lambda(abcd);
+  return {{quotient.hi, quotient.lo, error},
+          [abcd] { return whole_lambda(abcd); },
+          0};
 }
 
 ExactRatio squared_circumradius_ratio(const std::array<Point3, 3>& abc) {
@@ -249,10 +263,14 @@ ExactRatio squared_circumradius_ratio(const std::array<Point3, 3>& abc) {
     const auto& [u, v] = small->difference;
     return ratio(circle_radius(u, v), 2 * small->exponent);
   }
-  const WholeDifferences<3> d(abc);
-  RadiusFraction<BigInteger> r =
-      circle_radius(d.difference[0], d.difference[1]);
-  return {std::move(r.numerator), std::move(r.denominator), 2 * d.exponent};
+  constexpr double kUnknown = std::numeric_limits<double>::infinity();
+  return {{0, 0, kUnknown},
+          [abc]() -> WholeFraction {
+            const WholeDifferences<3> d(abc);
+            auto r = circle_radius(d.difference[0], d.difference[1]);
+            return {std::move(r.numerator), std::move(r.denominator)};
+          },
+          2 * common_exponent(abc)};
 }
 
 }  // namespace umbrella

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "umbrella/big_integer_internal.h"
@@ -9,7 +10,9 @@
 namespace umbrella {
 
 struct ExactRatio::Large {
-  BigInteger n, d;
+  Enclosure enclosure;
+  std::function<WholeFraction()> evaluate;
+  std::optional<WholeFraction> whole;
 };
 
 namespace {
@@ -29,17 +32,28 @@ BigInteger power_of_two(int exponent) {
   return result;
 }
 
-}  // namespace
-
-ExactRatio::ExactRatio(BigInteger n, BigInteger d, int exponent)
-    : exponent_(exponent),
-      large_(std::make_shared<const Large>(Large{std::move(n), std::move(d)})) {
+/// 0 if the enclosures do not tell. The difference of the two is computed with
+/// a few roundings of its own size, or of an ulp of a low part.
+int compare(const Enclosure& a, const Enclosure& b) {
+  constexpr double kLowRounding = 0x1p-50;
+  const double difference = (a.hi - b.hi) + (a.lo - b.lo);
+  const double error =
+      a.error + b.error + kLowRounding * (std::abs(a.lo) + std::abs(b.lo));
+  if (!(std::abs(difference) > 2 * error)) return 0;
+  return difference < 0 ? -1 : 1;
 }
 
-ExactRatio::Large ExactRatio::large() const {
-  if (large_) return *large_;
-  return {BigInteger(static_cast<double>(n_), 0),
-          BigInteger(static_cast<double>(d_), 0)};
+}  // namespace
+
+ExactRatio::ExactRatio(const Enclosure& enclosure,
+                       std::function<WholeFraction()> evaluate, int exponent)
+    : exponent_(exponent),
+      large_(std::make_shared<Large>(
+          Large{enclosure, std::move(evaluate), std::nullopt})) {}
+
+const WholeFraction& ExactRatio::whole() const {
+  if (!large_->whole) large_->whole = large_->evaluate();
+  return *large_->whole;
 }
 
 int compare(const ExactRatio& a, const ExactRatio& b) {
@@ -51,9 +65,18 @@ int compare(const ExactRatio& a, const ExactRatio& b) {
     const Int128 right = (Int128{b.n_} * a.d_) << std::max(-shift, 0);
     return (left > right) - (left < right);
   }
-  const ExactRatio::Large x = a.large(), y = b.large();
-  return sign(x.n * y.d * power_of_two(shift) -
-              y.n * x.d * power_of_two(-shift));
+  if (a.large_ && b.large_) {
+    const int by_enclosure = compare(a.large_->enclosure, b.large_->enclosure);
+    if (by_enclosure != 0) return by_enclosure;
+  }
+  const auto whole = [](const ExactRatio& r) -> WholeFraction {
+    if (r.large_) return r.whole();
+    return {BigInteger(static_cast<double>(r.n_), 0),
+            BigInteger(static_cast<double>(r.d_), 0)};
+  };
+  const WholeFraction x = whole(a), y = whole(b);
+  return sign(x.numerator * y.denominator * power_of_two(shift) -
+              y.numerator * x.denominator * power_of_two(-shift));
 }
 
 }  // namespace umbrella

@@ -4,33 +4,43 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 
 namespace umbrella {
 
-class BigInteger;
+/// A number known to lie within `error` of hi + lo, |lo| being below an ulp of
+/// hi.
+struct Enclosure {
+  double hi, lo;
+  double error;  // infinite if nothing is known
+};
+
+struct WholeFraction;
 
 /// 2^exponent n / d >= 0, compared without rounding. Small ones, as integer
-/// grids have them, are 24 bytes and quick.
+/// grids have them, are quick; others are evaluated when a comparison needs
+/// it.
 class ExactRatio {
  public:
   ExactRatio() = default;  ///< 0
   /// @pre 0 <= n < 2^53 and 0 < d < 2^53
   ExactRatio(std::int64_t n, std::int64_t d, int exponent)
       : n_(n), d_(d), exponent_(exponent) {}
-  /// @pre n >= 0 and d > 0
-  ExactRatio(BigInteger n, BigInteger d, int exponent);
+  /// @param evaluate  n >= 0 and d > 0; called at most once
+  ExactRatio(const Enclosure& enclosure,
+             std::function<WholeFraction()> evaluate, int exponent);
 
   /// Negative, zero or positive as a is less than, equal to or more than b.
   friend int compare(const ExactRatio& a, const ExactRatio& b);
 
  private:
   struct Large;
-  Large large() const;
+  const WholeFraction& whole() const;
 
   std::int64_t n_ = 0, d_ = 1;  // unless large_
   int exponent_ = 0;
-  std::shared_ptr<const Large> large_;
+  std::shared_ptr<Large> large_;
 };
 
 /// A rank before rounding: by `primary`, then by `secondary`.
