@@ -255,10 +255,12 @@ ExactRatio squared_lambda_ratio(const std::array<Point3, 4>& abcd) {
   const auto [quotient, error] = pair_lambda(abcd);
   return {{quotient.hi, quotient.lo, error},
           [abcd] { return whole_lambda(abcd); },
-          0};
+          0,
+          abcd};
 }
 
-ExactRatio squared_circumradius_ratio(const std::array<Point3, 3>& abc) {
+ExactRatio squared_circumradius_ratio(const std::array<Point3, 4>& abcd) {
+  const std::array abc = {abcd[0], abcd[1], abcd[2]};
   if (const auto small = SmallDifferences<3>::of(abc)) {
     const auto& [u, v] = small->difference;
     return ratio(circle_radius(u, v), 2 * small->exponent);
@@ -270,7 +272,8 @@ ExactRatio squared_circumradius_ratio(const std::array<Point3, 3>& abc) {
             auto r = circle_radius(d.difference[0], d.difference[1]);
             return {std::move(r.numerator), std::move(r.denominator)};
           },
-          2 * common_exponent(abc)};
+          2 * common_exponent(abc),
+          abcd};
 }
 
 }  // namespace umbrella

@@ -108,9 +108,10 @@ double exact_squared_circumradius(const std::array<delaunay::Point3, 4>& abcd,
 /// (r / R)^2 for the circle through a, b, c and the sphere through all four.
 double exact_squared_lambda(const std::array<delaunay::Point3, 4>& abcd);
 
-/// The same before rounding; the first is of 4 r^2, in the points' unit.
+/// The same before rounding; the first is of 4 r^2 for the circle through a, b,
+/// c, in the points' unit, and d any point off its plane.
 ExactRatio squared_circumradius_ratio(
-    const std::array<delaunay::Point3, 3>& abc);
+    const std::array<delaunay::Point3, 4>& abcd);
 ExactRatio squared_lambda_ratio(const std::array<delaunay::Point3, 4>& abcd);
 
 }  // namespace umbrella

@@ -62,7 +62,9 @@ ExactRatio DelaunayTriangle::squared_lambda_lower_ratio() const {
 }
 
 ExactRatio DelaunayTriangle::squared_circumradius_ratio() const {
-  return umbrella::squared_circumradius_ratio(points());
+  const bool is_infinite = triangulation_->cell(facet_.cell()).is_infinite();
+  return umbrella::squared_circumradius_ratio(
+      corners_of(is_infinite ? opposite() : facet_));
 }
 
 double DelaunayTriangle::exact_squared_circumradius() const {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "predicates/predicates.h"
 #include "umbrella/big_integer_internal.h"
 
 namespace umbrella {
@@ -13,6 +14,7 @@ struct ExactRatio::Large {
   Enclosure enclosure;
   std::function<WholeFraction()> evaluate;
   std::optional<WholeFraction> whole;
+  std::array<delaunay::Point3, 4> circle;
 };
 
 namespace {
@@ -43,15 +45,34 @@ int compare(const Enclosure& a, const Enclosure& b) {
   return difference < 0 ? -1 : 1;
 }
 
+/// Whether both circles and both spheres are the same, as at the rectangles of
+/// a grid: far quicker than to compare two fractions that are equal.
+bool are_same(const std::array<delaunay::Point3, 4>& a,
+              const std::array<delaunay::Point3, 4>& b) {
+  const auto& [p, q, r, s] = a;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const double* x = b[k].data();
+    if (predicates::insphere(p.data(), q.data(), r.data(), s.data(), x) != 0)
+      return false;
+    if (k < 3 && predicates::orient3d(p.data(), q.data(), r.data(), x) != 0)
+      return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 ExactRatio::ExactRatio(const Enclosure& enclosure,
-                       std::function<WholeFraction()> evaluate, int exponent)
+                       std::function<WholeFraction()> evaluate, int exponent,
+                       const std::array<delaunay::Point3, 4>& circle)
     : exponent_(exponent),
       large_(std::make_shared<Large>(
-          Large{enclosure, std::move(evaluate), std::nullopt})) {}
+          Large{enclosure, std::move(evaluate), std::nullopt, circle})) {}
 
-const WholeFraction& ExactRatio::whole() const {
+WholeFraction ExactRatio::whole() const {
+  if (!large_)
+    return {BigInteger(static_cast<double>(n_), 0),
+            BigInteger(static_cast<double>(d_), 0)};
   if (!large_->whole) large_->whole = large_->evaluate();
   return *large_->whole;
 }
@@ -68,13 +89,13 @@ int compare(const ExactRatio& a, const ExactRatio& b) {
   if (a.large_ && b.large_) {
     const int by_enclosure = compare(a.large_->enclosure, b.large_->enclosure);
     if (by_enclosure != 0) return by_enclosure;
+    if (are_same(a.large_->circle, b.large_->circle)) return 0;
   }
-  const auto whole = [](const ExactRatio& r) -> WholeFraction {
-    if (r.large_) return r.whole();
-    return {BigInteger(static_cast<double>(r.n_), 0),
-            BigInteger(static_cast<double>(r.d_), 0)};
-  };
-  const WholeFraction x = whole(a), y = whole(b);
+  const WholeFraction x = a.whole(), y = b.whole();
+  // Congruent simplices have the same fraction.
+  if (shift == 0 && x.numerator == y.numerator &&
+      x.denominator == y.denominator)
+    return 0;
   return sign(x.numerator * y.denominator * power_of_two(shift) -
               y.numerator * x.denominator * power_of_two(-shift));
 }

@@ -3,9 +3,12 @@
 /// tell apart.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
+
+#include "delaunay/triangulation3.h"
 
 namespace umbrella {
 
@@ -28,15 +31,18 @@ class ExactRatio {
   ExactRatio(std::int64_t n, std::int64_t d, int exponent)
       : n_(n), d_(d), exponent_(exponent) {}
   /// @param evaluate  n >= 0 and d > 0; called at most once
+  /// @param circle  the first three points give a circle, all four a sphere:
+  ///   the ratio depends on those two alone
   ExactRatio(const Enclosure& enclosure,
-             std::function<WholeFraction()> evaluate, int exponent);
+             std::function<WholeFraction()> evaluate, int exponent,
+             const std::array<delaunay::Point3, 4>& circle);
 
   /// Negative, zero or positive as a is less than, equal to or more than b.
   friend int compare(const ExactRatio& a, const ExactRatio& b);
 
  private:
   struct Large;
-  const WholeFraction& whole() const;
+  WholeFraction whole() const;
 
   std::int64_t n_ = 0, d_ = 1;  // unless large_
   int exponent_ = 0;
