@@ -212,7 +212,7 @@ TEST(CloseHoles, ClosesASphereWithAClusterOfOutliers) {
     for (int i = 0; i < 6; ++i)
       cluster.emplace_back(x + spread(rng), spread(rng), spread(rng));
     const Input input(sphere_with(cluster));
-    const ClosingResult result = input.close();
+    const ClosingResult result = input.close({.conflicts = 8'000});
     expect_closed_but_for_dropped(input, result);
     EXPECT_LE(result.dropped.size(), cluster.size());
   }
