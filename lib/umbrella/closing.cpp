@@ -67,7 +67,12 @@ class Closing {
 ClosingResult Closing::run(std::span<const Hole> holes) {
   solve_as_given(merge_holes(holes, surface_));
   if (options_.mode == CloseMode::Best) {
+    // Small ones come first, before a large one has taken most of the effort.
     std::reverse(tasks_.begin(), tasks_.end());
+    std::stable_sort(
+        tasks_.begin(), tasks_.end(), [](const Task& a, const Task& b) {
+          return a.region.vertices.size() > b.region.vertices.size();
+        });
     while (!tasks_.empty()) {
       Task task = std::move(tasks_.back());
       tasks_.pop_back();

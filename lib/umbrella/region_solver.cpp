@@ -202,7 +202,7 @@ void RegionSolver::cut(Work& work, const Piece& piece) {
 ilp::Limits RegionSolver::limits(const ilp::Solver& solver) const {
   const std::chrono::duration<double> spent =
       std::chrono::steady_clock::now() - start_;
-  constexpr std::uint64_t kPart = 4;
+  constexpr std::uint64_t kPart = 2;
   const auto left = [](std::uint64_t all, std::uint64_t used) {
     return all - std::min(all, used);
   };
