@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <random>
 #include <set>
 #include <vector>
@@ -172,6 +173,77 @@ TEST(CloseHoles, LeavesAClosedSurfaceAlone) {
   if (input.holes.empty()) {
     EXPECT_EQ(closed.triangles.size(), input.clean.triangles.size());
   }
+}
+
+/// A sphere and some points beside it.
+std::vector<Point3> sphere_with(std::span<const Point3> extra) {
+  std::vector<Point3> points = shapes::sample("sphere", 300, {.seed = 4});
+  points.insert(points.end(), extra.begin(), extra.end());
+  return points;
+}
+
+void expect_closed_but_for_dropped(const Input& input,
+                                   const ClosingResult& result) {
+  const SurfaceReport report = judged(input, result);
+  EXPECT_TRUE(report.closed && report.manifold);
+  EXPECT_EQ(result.report.infeasible + result.report.undecided, 0U);
+  std::vector<std::uint32_t> dropped;
+  for (const VertexId v : result.dropped)
+    dropped.push_back(static_cast<std::uint32_t>(v));
+  EXPECT_EQ(report.unused_vertices, dropped);
+}
+
+TEST(CloseHoles, ClosesASphereWithAnOutlier) {
+  for (const double x : {0.1, 0.9, 1.2, 3.0, 50.0}) {
+    SCOPED_TRACE(testing::Message() << "at " << x);
+    const Input input(sphere_with(std::array{Point3(x, 0.01, 0.02)}));
+    const ClosingResult result = input.close();
+    expect_closed_but_for_dropped(input, result);
+    EXPECT_LE(result.dropped.size(), 1U);
+  }
+}
+
+TEST(CloseHoles, ClosesASphereWithAClusterOfOutliers) {
+  std::mt19937_64 rng(11);
+  std::normal_distribution<double> spread(0, 0.05);
+  for (const double x : {0.0, 1.5, 4.0}) {
+    SCOPED_TRACE(testing::Message() << "at " << x);
+    std::vector<Point3> cluster;
+    for (int i = 0; i < 6; ++i)
+      cluster.emplace_back(x + spread(rng), spread(rng), spread(rng));
+    const Input input(sphere_with(cluster));
+    const ClosingResult result = input.close({.conflicts = 8'000});
+    expect_closed_but_for_dropped(input, result);
+    EXPECT_LE(result.dropped.size(), cluster.size());
+  }
+}
+
+/// Two spheres that share a point: its triangles cannot be two umbrellas.
+TEST(CloseHoles, ClosesTwoSpheresThatTouch) {
+  std::vector<Point3> points = shapes::sample("sphere", 300, {.seed = 4});
+  const Point3 touch = points.front();
+  for (std::size_t i = 0, n = points.size(); i < n; ++i)
+    points.push_back(2 * touch - points[i]);
+  const Input input(points);
+  expect_closed_but_for_dropped(input, input.close());
+}
+
+TEST(CloseHoles, SaysWhatItsEffortDidNotSuffice) {
+  Input input(shapes::sample("torus", 800, {}));
+  input.damage(25, 9);
+  for (const ClosingOptions& options :
+       {ClosingOptions{.propagations = 0}, ClosingOptions{.propagations = 40},
+        ClosingOptions{.conflicts = 0, .propagations = 4000}}) {
+    const ClosingResult result = input.close(options);
+    const ClosingReport& report = result.report;
+    EXPECT_EQ(
+        report.feasible + report.grown + report.infeasible + report.undecided,
+        report.regions);
+    EXPECT_EQ(judged(input, result).closed,
+              report.infeasible + report.undecided == 0);
+    EXPECT_EQ(corners_of(input.close(options)), corners_of(result));
+  }
+  EXPECT_FALSE(judged(input, input.close({.propagations = 0})).closed);
 }
 
 /// A cloud fits no surface: holes are large, and points may have to go.

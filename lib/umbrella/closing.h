@@ -26,10 +26,10 @@ enum class CloseWeight { Circumradius, LambdaLower, Area };
 struct ClosingOptions {
   CloseMode mode = CloseMode::Best;
   CloseWeight weight = CloseWeight::Circumradius;
-  /// Effort for all programs together, the same on every run. Each may take a
-  /// quarter of what is left, so that a hard region leaves some to the others.
+  /// Effort for all programs together, the same on every run. Each may take
+  /// half of what is left, so that a hard region leaves some to the others.
   std::uint64_t conflicts = 240'000;
-  std::uint64_t propagations = 20'000'000;
+  std::uint64_t propagations = 8'000'000;
   /// Wall clock for all regions together; a limit that is hit makes the
   /// result depend on the machine.
   double seconds = std::numeric_limits<double>::infinity();

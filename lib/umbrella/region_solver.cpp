@@ -61,6 +61,7 @@ Attempt RegionSolver::attempt(const Region& region,
   Work work(surface_, region, neighborhoods_.candidates(region), may_drop);
   work.allowed = allowed;
   order_worst_first(work);
+  settle_dropped(work);
   search(work);
   conflicts_ += work.solver.statistics().conflicts;
   propagations_ += work.solver.statistics().propagations;
@@ -76,7 +77,6 @@ std::vector<VertexId> RegionSolver::vertices(const Region& region) {
   return result;
 }
 
-/// Leaving a point out is worse than any triangle.
 void RegionSolver::order_worst_first(Work& work) const {
   const auto& candidates = work.candidates;
   std::vector<double> badness(candidates.size());
@@ -89,9 +89,28 @@ void RegionSolver::order_worst_first(Work& work) const {
     const double bad_a = badness[index(a)], bad_b = badness[index(b)];
     return bad_a != bad_b ? bad_a > bad_b : a > b;
   });
-  for (const auto& [vertex, is_dropped] : work.program.droppable())
-    work.worst_first.push_back(is_dropped);
-  work.worst_first.insert(work.worst_first.end(), order.begin(), order.end());
+  work.worst_first = std::move(order);
+}
+
+/// Leaving a vertex out is worse than any triangle: starting from any solution,
+/// asks for one vertex after another that it leaves bare, and settles each for
+/// good. A vertex that is hard to keep goes.
+void RegionSolver::settle_dropped(Work& work) const {
+  constexpr std::uint64_t kConflictsOfVertex = 500;
+  if (work.program.droppable().empty()) return;
+  ilp::Solver& solver = work.solver;
+  solver.set_priority(work.worst_first);
+  if (solver.solve({}, limits(solver)) != ilp::Status::Feasible) return;
+  std::vector<ilp::Literal> settled;
+  for (const auto& [vertex, is_dropped] : work.program.droppable()) {
+    settled.emplace_back(is_dropped, false);
+    if (!solver.model()[index(is_dropped)]) continue;
+    ilp::Limits some = limits(solver);
+    some.conflicts = std::min(some.conflicts, kConflictsOfVertex);
+    if (solver.solve(settled, some) != ilp::Status::Feasible)
+      settled.back() = !settled.back();
+  }
+  for (const ilp::Literal l : settled) solver.add_clause({&l, 1});
 }
 
 /// Solves and cuts off small closed pieces until there is none.
@@ -131,6 +150,18 @@ ilp::Status RegionSolver::solve(Work& work) {
   return best.status;
 }
 
+std::vector<VertexId> RegionSolver::bare_vertices(const Work& work) {
+  std::vector<VertexId> used;
+  for (const LocatedTriangle& t : work.result.chosen)
+    used.insert(used.end(), t.corners.begin(), t.corners.end());
+  std::sort(used.begin(), used.end());
+  std::vector<VertexId> bare;
+  for (const auto& [vertex, is_dropped] : work.program.droppable())
+    if (!std::binary_search(used.begin(), used.end(), vertex))
+      bare.push_back(vertex);
+  return bare;
+}
+
 /// @return whether the model is good; otherwise cuts are added
 bool RegionSolver::read_model(Work& work) {
   Attempt& result = work.result;
@@ -138,8 +169,7 @@ bool RegionSolver::read_model(Work& work) {
   result.dropped.clear();
   for (std::size_t i = 0; i < work.candidates.size(); ++i)
     if (work.model[i]) result.chosen.push_back(work.candidates[i]);
-  for (const auto& [vertex, is_dropped] : work.program.droppable())
-    if (work.model[index(is_dropped)]) result.dropped.push_back(vertex);
+  result.dropped = bare_vertices(work);
   if (options_.mode == CloseMode::Paper) return true;
 
   bool is_good = true;
@@ -172,7 +202,7 @@ void RegionSolver::cut(Work& work, const Piece& piece) {
 ilp::Limits RegionSolver::limits(const ilp::Solver& solver) const {
   const std::chrono::duration<double> spent =
       std::chrono::steady_clock::now() - start_;
-  constexpr std::uint64_t kPart = 4;
+  constexpr std::uint64_t kPart = 2;
   const auto left = [](std::uint64_t all, std::uint64_t used) {
     return all - std::min(all, used);
   };

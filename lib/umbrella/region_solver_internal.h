@@ -57,6 +57,10 @@ class RegionSolver {
   std::size_t n_candidates(const Region& region) {
     return neighborhoods_.candidates(region).size();
   }
+  /// Whether nothing is left of the effort of all programs.
+  bool is_spent() const { return propagations_ >= options_.propagations; }
+  void charge(std::uint64_t propagations) { propagations_ += propagations; }
+
   Neighborhoods& neighborhoods() { return neighborhoods_; }
   std::uint64_t conflicts() const { return conflicts_; }
 
@@ -64,8 +68,10 @@ class RegionSolver {
   struct Work;  // one attempt
 
   void order_worst_first(Work& work) const;
+  void settle_dropped(Work& work) const;
   void search(Work& work);
   ilp::Status solve(Work& work);
+  static std::vector<VertexId> bare_vertices(const Work& work);
   bool read_model(Work& work);
   void cut(Work& work, const Piece& piece);
   ilp::Limits limits(const ilp::Solver& solver) const;
