@@ -20,7 +20,6 @@ class BigInteger {
   bool is_negative() const { return negative_; }
   BigInteger operator-() const;
 
-  friend bool operator==(const BigInteger&, const BigInteger&) = default;
   friend BigInteger operator+(const BigInteger& a, const BigInteger& b);
   friend BigInteger operator-(const BigInteger& a, const BigInteger& b);
   friend BigInteger operator*(const BigInteger& a, const BigInteger& b);

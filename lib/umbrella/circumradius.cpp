@@ -256,7 +256,7 @@ ExactRatio squared_lambda_ratio(const std::array<Point3, 4>& abcd) {
   return {{quotient.hi, quotient.lo, error},
           [abcd] { return whole_lambda(abcd); },
           0,
-          abcd};
+          {abcd, false}};
 }
 
 ExactRatio squared_circumradius_ratio(const std::array<Point3, 4>& abcd) {
@@ -273,7 +273,7 @@ ExactRatio squared_circumradius_ratio(const std::array<Point3, 4>& abcd) {
             return {std::move(r.numerator), std::move(r.denominator)};
           },
           2 * common_exponent(abc),
-          abcd};
+          {abcd, true}};
 }
 
 }  // namespace umbrella

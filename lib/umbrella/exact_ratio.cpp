@@ -1,20 +1,25 @@
 #include "umbrella/exact_ratio.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
 #include "predicates/predicates.h"
 #include "umbrella/big_integer_internal.h"
+#include "umbrella/double_double_internal.h"
 
 namespace umbrella {
+
+using delaunay::Point3;
 
 struct ExactRatio::Large {
   Enclosure enclosure;
   std::function<WholeFraction()> evaluate;
   std::optional<WholeFraction> whole;
-  std::array<delaunay::Point3, 4> circle;
+  Origin origin;
 };
 
 namespace {
@@ -45,13 +50,40 @@ int compare(const Enclosure& a, const Enclosure& b) {
   return difference < 0 ? -1 : 1;
 }
 
+/// The absolute coordinates of p - q; NaN, which equals nothing, where they
+/// are rounded.
+std::array<double, 3> extent(const Point3& p, const Point3& q) {
+  std::array<double, 3> result{};
+  for (unsigned i = 0; i < 3; ++i) {
+    const auto d = DoubleDouble::difference(p[i], q[i]);
+    result[i] =
+        d.lo == 0 ? std::abs(d.hi) : std::numeric_limits<double>::quiet_NaN();
+  }
+  return result;
+}
+
+/// Whether b is a moved or mirrored copy of a along the axes, as quantised
+/// scans have many. May miss some.
+bool are_copies(const Origin& a, const Origin& b) {
+  std::array<unsigned, 4> order = {0, 1, 2, 3};
+  const unsigned n = a.circle_only ? 3 : 4;
+  do {
+    bool match = true;
+    for (unsigned i = 1; i < n && match; ++i)
+      for (unsigned k = 0; k < i && match; ++k)
+        match = extent(a.points[i], a.points[k]) ==
+                extent(b.points[order[i]], b.points[order[k]]);
+    if (match) return true;
+  } while (std::next_permutation(order.begin(), order.begin() + 3));
+  return false;
+}
+
 /// Whether both circles and both spheres are the same, as at the rectangles of
-/// a grid: far quicker than to compare two fractions that are equal.
-bool are_same(const std::array<delaunay::Point3, 4>& a,
-              const std::array<delaunay::Point3, 4>& b) {
-  const auto& [p, q, r, s] = a;
+/// a grid.
+bool are_same(const Origin& a, const Origin& b) {
+  const auto& [p, q, r, s] = a.points;
   for (std::size_t k = 0; k < 4; ++k) {
-    const double* x = b[k].data();
+    const double* x = b.points[k].data();
     if (predicates::insphere(p.data(), q.data(), r.data(), s.data(), x) != 0)
       return false;
     if (k < 3 && predicates::orient3d(p.data(), q.data(), r.data(), x) != 0)
@@ -64,10 +96,10 @@ bool are_same(const std::array<delaunay::Point3, 4>& a,
 
 ExactRatio::ExactRatio(const Enclosure& enclosure,
                        std::function<WholeFraction()> evaluate, int exponent,
-                       const std::array<delaunay::Point3, 4>& circle)
+                       const Origin& origin)
     : exponent_(exponent),
       large_(std::make_shared<Large>(
-          Large{enclosure, std::move(evaluate), std::nullopt, circle})) {}
+          Large{enclosure, std::move(evaluate), std::nullopt, origin})) {}
 
 WholeFraction ExactRatio::whole() const {
   if (!large_)
@@ -89,13 +121,14 @@ int compare(const ExactRatio& a, const ExactRatio& b) {
   if (a.large_ && b.large_) {
     const int by_enclosure = compare(a.large_->enclosure, b.large_->enclosure);
     if (by_enclosure != 0) return by_enclosure;
-    if (are_same(a.large_->circle, b.large_->circle)) return 0;
+    // Most fractions that come this far are equal; to see that from the
+    // points is far quicker than to compare them.
+    const Origin& x = a.large_->origin;
+    const Origin& y = b.large_->origin;
+    if (x.circle_only == y.circle_only && (are_copies(x, y) || are_same(x, y)))
+      return 0;
   }
   const WholeFraction x = a.whole(), y = b.whole();
-  // Congruent simplices have the same fraction.
-  if (shift == 0 && x.numerator == y.numerator &&
-      x.denominator == y.denominator)
-    return 0;
   return sign(x.numerator * y.denominator * power_of_two(shift) -
               y.numerator * x.denominator * power_of_two(-shift));
 }

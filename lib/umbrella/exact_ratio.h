@@ -19,6 +19,13 @@ struct Enclosure {
   double error;  // infinite if nothing is known
 };
 
+/// What a ratio depends on: the circle through the first three points, and the
+/// sphere through all four unless `circle_only`.
+struct Origin {
+  std::array<delaunay::Point3, 4> points;
+  bool circle_only;
+};
+
 struct WholeFraction;
 
 /// 2^exponent n / d >= 0, compared without rounding. Small ones, as integer
@@ -31,11 +38,9 @@ class ExactRatio {
   ExactRatio(std::int64_t n, std::int64_t d, int exponent)
       : n_(n), d_(d), exponent_(exponent) {}
   /// @param evaluate  n >= 0 and d > 0; called at most once
-  /// @param circle  the first three points give a circle, all four a sphere:
-  ///   the ratio depends on those two alone
   ExactRatio(const Enclosure& enclosure,
              std::function<WholeFraction()> evaluate, int exponent,
-             const std::array<delaunay::Point3, 4>& circle);
+             const Origin& origin);
 
   /// Negative, zero or positive as a is less than, equal to or more than b.
   friend int compare(const ExactRatio& a, const ExactRatio& b);
