@@ -96,7 +96,7 @@ bool is_device(const fs::path& target) {
 }
 
 fs::path writable_target(const std::string& path) {
-  const fs::path target = behind_links(path);
+  fs::path target = behind_links(path);
   std::error_code error;
   if (fs::is_directory(target, error)) fail_write(path, reason(EISDIR));
   if (is_device(target)) return target;
