@@ -72,7 +72,7 @@ std::vector<std::string> cells_of(const Column& column,
   const auto is_empty = [](const std::string& s) { return s.empty(); };
   if (std::ranges::all_of(cells, is_empty)) return {};
   for (std::string& cell : cells)
-    if (cell.empty()) cell = "-";
+    if (cell.empty()) cell.push_back('-');
   return cells;
 }
 
