@@ -19,19 +19,18 @@
 #include <stdexcept>
 
 #include "delaunay/bowyer_watson3_internal.h"
-#include "delaunay/huge_pages_internal.h"
 #include "predicates/predicates.h"
 
 namespace delaunay {
 namespace {
 
-constexpr std::size_t kMaxCells = std::size_t{1} << 30U;
 constexpr float kNever = std::numeric_limits<float>::infinity();
 
 // Marks of the insertion under way.
 bool is_in_cavity(const Cell& c) { return std::signbit(c.inside2); }
 bool is_next_to_cavity(const Cell& c) { return std::signbit(c.outside2); }
 void mark_in_cavity(Cell& c) { c.inside2 = -c.inside2; }
+void unmark_in_cavity(Cell& c) { c.inside2 = -c.inside2; }
 void mark_next_to_cavity(Cell& c) { c.outside2 = -std::abs(c.outside2); }
 void unmark_next_to_cavity(Cell& c) { c.outside2 = std::abs(c.outside2); }
 
@@ -41,6 +40,11 @@ double squared_distance(const Cell& cell, const double* p) {
   const double z = p[2] - cell.center[2];
   return x * x + y * y + z * z;
 }
+
+/// What an inserter without company may change.
+struct Everything {
+  static constexpr bool holds(const Cell&) { return true; }
+};
 
 /// No distance is certain: every test goes to the exact predicate.
 void forget_sphere(Cell& cell) {
@@ -95,12 +99,14 @@ void set_sphere(Cell& cell, const double* p, const Vertex& u, const Vertex& v,
 
 }  // namespace
 
-BowyerWatson3::BowyerWatson3(std::span<const Point3> points,
-                             const std::array<VertexId, 4>& first)
-    : sites_(points.size() + 1), link_table_(kLinkTableSide * kLinkTableSide) {
-  for (std::size_t i = 0; i < points.size(); ++i)
-    sites_[i].at = {points[i][0], points[i][1], points[i][2]};
-  reserve_cells();
+BowyerWatson3::BowyerWatson3(Mesh3& mesh, unsigned number, unsigned n_inserters)
+    : mesh_(mesh),
+      sites_(mesh.sites.data()),
+      cells_(mesh.cells.data()),
+      fresh_(number, n_inserters),
+      link_table_(kLinkTableSide * kLinkTableSide) {}
+
+void BowyerWatson3::start(const std::array<VertexId, 4>& first) {
   auto [a, b, c, d] = first;
   const int sign = predicates::orient3d(at(a), at(b), at(c), at(d));
   assert(sign != 0);
@@ -108,7 +114,7 @@ BowyerWatson3::BowyerWatson3(std::span<const Point3> points,
 
   // Cell 0 is abcd, cell i + 1 lies beyond its facet i.
   const std::array<VertexId, 4> v = {a, b, c, d};
-  cells_.resize(5);
+  for (unsigned i = 0; i < 5; ++i) fresh_.take();
   cells_[0].vertex = v;
   std::array<RimVertex, 3> rest;
   for (unsigned i = 0; i < 3; ++i) {
@@ -132,17 +138,33 @@ BowyerWatson3::BowyerWatson3(std::span<const Point3> points,
   }
 }
 
-void BowyerWatson3::reserve_cells() {
-  // Uniform points make 6.8 cells each, scanned surfaces 6 to 9. Memory that
-  // is never touched costs nothing.
-  cells_.reserve(sites_.size() * 7 + 64);
-  advise_huge_pages(cells_.data(), cells_.capacity() * sizeof(Cell));
-}
-
 void BowyerWatson3::insert(VertexId v) {
   const double* p = at(v);
-  find_cavity(locate(p), p);
+  find_cavity(locate(hint_, p), p, Everything{});
+  mesh_.make_room(fresh_.end_after(n_fresh_cells()));
+  cells_ = mesh_.cells.data();
   fill_cavity(v);
+}
+
+bool BowyerWatson3::enter(const Part& part, VertexId v, CellId near) {
+  cells_ = mesh_.cells.data();
+  part_ = part;
+  hint_ = finite(locate(finite(near), at(v)));
+  return part_.holds(cells_[index(hint_)]);
+}
+
+bool BowyerWatson3::insert_within_part(VertexId v) {
+  const double* p = at(v);
+  const CellId seed = walk<false>(hint_, p, part_);
+  if (!cells_[index(seed)].is_infinite()) hint_ = seed;
+  if (!in_conflict(cells_[index(seed)], p)) return false;
+  if (!find_cavity(seed, p, part_) ||
+      fresh_.end_after(n_fresh_cells()) > mesh_.cells.size()) {
+    forget_cavity();
+    return false;
+  }
+  fill_cavity(v);
+  return true;
 }
 
 // ---- Location ----
@@ -169,8 +191,10 @@ bool BowyerWatson3::is_beyond(const Cell& cell, unsigned facet,
 // whose cached sphere holds p. Rounded signs may mislead it or make it
 // circle, never to a wrong result: they get a bounded number of steps, and
 // the exact walk ends on every Delaunay triangulation [Devillers02].
-template <bool kExact>
-CellId BowyerWatson3::walk(CellId start, const double* p) const {
+// It stays in the region: where the way leads out of it, it ends.
+template <bool kExact, class Region>
+CellId BowyerWatson3::walk(CellId start, const double* p,
+                           const Region& region) const {
   CellId current = start;
   unsigned entry = 4;
   const std::size_t max_steps =
@@ -185,20 +209,24 @@ CellId BowyerWatson3::walk(CellId start, const double* p) const {
       if (i != entry && is_beyond<kExact>(cell, i, p)) exit = i;
     }
     if (exit == 4) return current;
-    entry = cell.neighbor[exit].index();
-    current = cell.neighbor[exit].cell();
+    const Facet next = cell.neighbor[exit];
+    if (!region.holds(cells_[index(next.cell())])) return current;
+    entry = next.index();
+    current = next.cell();
   }
   return current;
 }
 
-CellId BowyerWatson3::locate(const double* p) const {
-  const auto finite = [this](CellId c) {
-    const Cell& cell = cells_[index(c)];
-    return cell.is_infinite() ? cell.neighbor[3].cell() : c;
-  };
-  const CellId near = walk<false>(finite(hint_), p);
+/// The cell itself, or of an infinite one its neighbour inside the hull.
+CellId BowyerWatson3::finite(CellId c) const {
+  const Cell& cell = cells_[index(c)];
+  return cell.is_infinite() ? cell.neighbor[3].cell() : c;
+}
+
+CellId BowyerWatson3::locate(CellId start, const double* p) const {
+  const CellId near = walk<false>(start, p, Everything{});
   if (in_conflict(cells_[index(near)], p)) return near;
-  const CellId found = walk<true>(finite(near), p);
+  const CellId found = walk<true>(finite(near), p, Everything{});
   assert(in_conflict(cells_[index(found)], p));
   return found;
 }
@@ -227,7 +255,10 @@ bool BowyerWatson3::in_conflict_exact(const Cell& cell, const double* p) const {
              at(inner.vertex[3]), p) > 0;
 }
 
-void BowyerWatson3::find_cavity(CellId seed, const double* p) {
+// Ends with false, and marks in place, where the cavity leaves the region.
+template <class Region>
+bool BowyerWatson3::find_cavity(CellId seed, const double* p,
+                                const Region& region) {
   cavity_.clear();
   boundary_.clear();
   const auto take = [this](CellId c, Cell& cell) {
@@ -238,6 +269,7 @@ void BowyerWatson3::find_cavity(CellId seed, const double* p) {
   };
   take(seed, cells_[index(seed)]);
   for (std::size_t k = 0; k < cavity_.size(); ++k) {
+    if (!region.holds(cells_[index(cavity_[k])])) return false;
     const auto neighbor = cells_[index(cavity_[k])].neighbor;
     for (const Facet f : neighbor) {
       Cell& cell = cells_[index(f.cell())];
@@ -253,6 +285,13 @@ void BowyerWatson3::find_cavity(CellId seed, const double* p) {
       boundary_.push_back(f);
     }
   }
+  return true;
+}
+
+void BowyerWatson3::forget_cavity() {
+  for (const CellId c : cavity_) unmark_in_cavity(cells_[index(c)]);
+  for (const Facet f : boundary_)
+    unmark_next_to_cavity(cells_[index(f.cell())]);
 }
 
 // ---- Star ----
@@ -271,13 +310,20 @@ BowyerWatson3::RimVertex BowyerWatson3::relative(VertexId v,
   return {v, {x, y, z}, x * x + y * y + z * z};
 }
 
-inline std::uint32_t BowyerWatson3::rim_position(VertexId v, const double* p) {
+inline std::uint32_t BowyerWatson3::rim_position(VertexId v, VertexId apex) {
   Site& s = site(v);
-  if (s.insertion == insertion_) return s.rim_position;
-  s.insertion = insertion_;
+  if (s.rim_of == apex) return s.rim_position;
+  s.rim_of = apex;
   s.rim_position = n_rim_;
-  rim_[n_rim_] = v == kInfinite ? RimVertex{v, {0, 0, 0}, 0} : relative(v, p);
+  rim_[n_rim_] =
+      v == kInfinite ? RimVertex{v, {0, 0, 0}, 0} : relative(v, at(apex));
   return n_rim_++;
+}
+
+/// How many cells the star needs that were never used.
+std::size_t BowyerWatson3::n_fresh_cells() const {
+  const std::size_t n_known = cavity_.size() + free_.size();
+  return boundary_.size() - std::min(boundary_.size(), n_known);
 }
 
 // The cells of the star: first those of the cavity, then freed ones, then new
@@ -292,13 +338,9 @@ void BowyerWatson3::allocate_star() {
     star_[k] = free_.back();
     free_.pop_back();
   }
-  std::size_t next = cells_.size();
-  if (next + (n - k) > kMaxCells)
-    throw std::length_error("Delaunay triangulation has over 2^30 cells");
-  cells_.resize(next + (n - k));
-  for (; k < n; ++k) star_[k] = CellId{static_cast<std::uint32_t>(next++)};
+  for (; k < n; ++k) star_[k] = fresh_.take();
   for (k = n_reused; k < cavity_.size(); ++k) {
-    cells_[index(cavity_[k])].vertex[0] = kInfinite;  // no cell
+    Mesh3::remove(cells_[index(cavity_[k])]);
     free_.push_back(cavity_[k]);
   }
   // The rim is a triangulated sphere: n facets have n / 2 + 2 corners.
@@ -325,9 +367,9 @@ inline void BowyerWatson3::make_star_cell(std::size_t k, VertexId apex) {
   if (is_infinite) [[unlikely]]
     while (v[2] != kInfinite) std::rotate(v.begin(), v.begin() + 1, v.end());
 
-  const std::uint32_t a = rim_position(v[0], p);
-  const std::uint32_t b = rim_position(v[1], p);
-  const std::uint32_t c = rim_position(v[2], p);
+  const std::uint32_t a = rim_position(v[0], apex);
+  const std::uint32_t b = rim_position(v[1], apex);
+  const std::uint32_t c = rim_position(v[2], apex);
   facets_[k] = {{a, b, c}, is_infinite};
   const CellId star = star_[k];
   Cell& cell = cells_[index(star)];
@@ -345,15 +387,15 @@ inline void BowyerWatson3::make_star_cell(std::size_t k, VertexId apex) {
 
 void BowyerWatson3::fill_cavity(VertexId apex) {
   allocate_star();
-  ++insertion_;
   n_rim_ = 0;
-  const std::size_t n = boundary_.size();
+  std::size_t n = boundary_.size();
   for (std::size_t k = 0; k < n; ++k) make_star_cell(k, apex);
   if (n_rim_ <= kLinkTableSide)
     link_star();
   else
     link_large_star();
-  hint_ = star_[n - 1];
+  do hint_ = star_[--n];
+  while (cells_[index(hint_)].is_infinite());
 }
 
 Facet BowyerWatson3::star_facet(std::size_t k, unsigned corner) const {
@@ -406,44 +448,9 @@ void BowyerWatson3::link_large_star() {
 
 // ---- End ----
 
-void BowyerWatson3::relocate(CellId from, CellId to) {
-  cells_[index(to)] = cells_[index(from)];
-  cells_[index(from)].vertex[0] = kInfinite;  // no cell
-  for (unsigned i = 0; i < 4; ++i)
-    link(Facet(to, i), cells_[index(to)].neighbor[i]);
-}
-
-// Moves the cells with `keep` to the front, from `first` on; what was in
-// their place moves to theirs. Returns the end of the front.
-template <class Keep>
-std::size_t BowyerWatson3::gather(std::size_t first, Keep keep) {
-  std::size_t last = cells_.size();
-  cells_.emplace_back();  // room to swap
-  const CellId spare{static_cast<std::uint32_t>(last)};
-  for (;; ++first) {
-    while (first < last && keep(cells_[first])) ++first;
-    while (first < last && !keep(cells_[last - 1])) --last;
-    if (first == last) break;
-    --last;
-    const CellId front{static_cast<std::uint32_t>(first)};
-    const CellId back{static_cast<std::uint32_t>(last)};
-    const bool is_gap = cells_[first].vertex[0] == kInfinite;
-    if (!is_gap) relocate(front, spare);
-    relocate(back, front);
-    if (!is_gap) relocate(spare, back);
-  }
-  cells_.pop_back();
-  return first;
-}
-
-std::size_t BowyerWatson3::finish(std::vector<Cell>& cells) && {
-  const auto is_cell = [](const Cell& c) { return c.vertex[0] != kInfinite; };
-  const std::size_t n_finite =
-      gather(0, [&](const Cell& c) { return is_cell(c) && !c.is_infinite(); });
-  const std::size_t n = gather(n_finite, is_cell);
-  cells_.resize(n);
-  cells = std::move(cells_);
-  return n_finite;
+void BowyerWatson3::give_back(std::size_t end) {
+  while (fresh_.end_after(1) <= end)
+    Mesh3::remove(cells_[index(fresh_.take())]);
 }
 
 }  // namespace delaunay

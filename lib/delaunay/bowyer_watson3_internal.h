@@ -1,6 +1,6 @@
 /// @file
-/// Incremental construction of a 3D Delaunay triangulation; for
-/// triangulation3.cpp alone.
+/// Incremental construction of a 3D Delaunay triangulation, by one thread or
+/// by several that share the work.
 #pragma once
 
 #include <array>
@@ -8,26 +8,46 @@
 #include <span>
 #include <vector>
 
+#include "delaunay/mesh3_internal.h"
 #include "delaunay/triangulation3.h"
 
 namespace delaunay {
 
-/// The triangulation of the vertices inserted so far, always complete.
+/// Inserts vertices into a mesh. Several may work on one mesh at a time, each
+/// within a part of its own; all use the numbers 0 .. n_inserters - 1.
 class BowyerWatson3 {
  public:
-  /// @param points  distinct; quickest if their coordinates fill [-1, 1], for
-  ///   spheres far larger or smaller are not cached
-  /// @param first   four vertices that span space, in any order
-  BowyerWatson3(std::span<const Point3> points,
-                const std::array<VertexId, 4>& first);
+  /// @param number  of this inserter, among `n_inserters` on the mesh
+  explicit BowyerWatson3(Mesh3& mesh, unsigned number = 0,
+                         unsigned n_inserters = 1);
 
+  /// Begins a mesh without cells.
+  /// @param first  four vertices that span space, in any order
+  void start(const std::array<VertexId, 4>& first);
+
+  /// No other inserter may be at work.
   /// @pre `v` was not inserted before
   /// @throws std::length_error  the cells' numbers would not fit 30 bits
   void insert(VertexId v);
 
-  /// Cells without gaps, those inside the hull first.
-  /// @return how many lie inside the hull
-  std::size_t finish(std::vector<Cell>& cells) &&;
+  /// Prepares for insertions within a part, while no inserter is at work.
+  /// @param near  a cell to start from
+  /// @return whether the cell found at `v` is the part's; without one
+  ///   every insertion is refused
+  bool enter(const Part& part, VertexId v, CellId near);
+
+  /// The same as insert() if that changes no cell but those of the part that
+  /// was entered; otherwise, or if room runs out, changes nothing and returns
+  /// false. Others may be at work in disjoint parts.
+  bool insert_within_part(VertexId v);
+
+  /// A cell near the vertex inserted last.
+  CellId hint() const { return hint_; }
+
+  /// Marks what is left of the cells given out to this inserter as no cells.
+  void give_back(std::size_t end);
+  /// Beyond the last cell ever used.
+  std::size_t end() const { return fresh_.end(); }
 
  private:
   /// A facet between the cavity and the cell outside it: its corners as
@@ -43,52 +63,48 @@ class BowyerWatson3 {
     std::array<double, 3> offset;
     double norm2;
   };
-  /// A vertex, with its place in `rim_` during one insertion, in half a cache
-  /// line.
-  struct alignas(32) Site {
-    std::array<double, 3> at;
-    std::uint32_t insertion = 0;
-    std::uint32_t rim_position = 0;
-  };
+  using Site = Mesh3::Site;
 
-  template <bool kExact>
-  CellId walk(CellId start, const double* p) const;
-  CellId locate(const double* p) const;
+  template <bool kExact, class Region>
+  CellId walk(CellId start, const double* p, const Region& region) const;
+  CellId locate(CellId start, const double* p) const;
+  CellId finite(CellId c) const;
   template <bool kExact>
   bool is_beyond(const Cell& cell, unsigned facet, const double* p) const;
 
   bool in_conflict(const Cell& cell, const double* p) const;
   bool in_conflict_exact(const Cell& cell, const double* p) const;
-  void find_cavity(CellId seed, const double* p);
+  template <class Region>
+  bool find_cavity(CellId seed, const double* p, const Region& region);
+  void forget_cavity();
 
+  std::size_t n_fresh_cells() const;
   void fill_cavity(VertexId apex);
   void allocate_star();
   void make_star_cell(std::size_t k, VertexId apex);
-  std::uint32_t rim_position(VertexId v, const double* p);
+  std::uint32_t rim_position(VertexId v, VertexId apex);
   RimVertex relative(VertexId v, const double* p) const;
   void link_star();
   void link_large_star();
   void link(Facet a, Facet b);
   Facet star_facet(std::size_t k, unsigned corner) const;
 
-  void relocate(CellId from, CellId to);
-  template <class Keep>
-  std::size_t gather(std::size_t first, Keep keep);
-
   const double* at(VertexId v) const { return sites_[index(v)].at.data(); }
   Site& site(VertexId v) {
-    return v == kInfinite ? sites_.back() : sites_[index(v)];
+    return v == kInfinite ? infinite_site_ : sites_[index(v)];
   }
-  void reserve_cells();
 
-  std::vector<Site> sites_;  // by vertex; the infinite one comes last
-  std::vector<Cell> cells_;
+  Mesh3& mesh_;
+  Site* sites_;  // of the mesh
+  Cell* cells_;
+  Site infinite_site_;
+  FreshCells fresh_;
   std::vector<CellId> free_;
-  CellId hint_{};  // a cell near the vertex inserted last
+  Part part_ = Part::inside(0, 0);
+  CellId hint_{};  // near the vertex inserted last, inside the hull
 
   // Of the insertion under way; kept to reuse their memory. Rim facet k is
   // boundary_[k] seen from the cavity, and star_[k] the new cell on it.
-  std::uint32_t insertion_ = 0;
   std::vector<CellId> cavity_;
   std::vector<Facet> boundary_;
   std::vector<CellId> star_;

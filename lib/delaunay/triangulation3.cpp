@@ -92,11 +92,14 @@ Triangulation3::Triangulation3(std::span<const Point3> points) {
   const int exponent = scaling_exponent(points_);
   scale(points_, exponent);
   scale_exponent_ = -exponent;
-  BowyerWatson3 builder(points_, frame.vertex);
+  Mesh3 mesh(points_);
+  BowyerWatson3 inserter(mesh);
+  inserter.start(frame.vertex);
   for (const VertexId v : insertion_order(points_.size()))
     if (std::ranges::find(frame.vertex, v) == frame.vertex.end())
-      builder.insert(v);
-  n_finite_cells_ = std::move(builder).finish(cells_);
+      inserter.insert(v);
+  n_finite_cells_ = mesh.compact(inserter.end());
+  cells_ = std::move(mesh.cells);
   scale(points_, -exponent);
 }
 

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "delaunay/cell_vector.h"
 #include "delaunay/ids.h"
 
 namespace delaunay {
@@ -86,7 +87,7 @@ class Triangulation3 {
  private:
   std::vector<Point3> points_;
   std::vector<VertexId> vertex_of_row_;
-  std::vector<Cell> cells_;
+  LazyVector<Cell> cells_;
   std::size_t n_finite_cells_ = 0;
   int scale_exponent_ = 0;
   int dimension_ = -1;
