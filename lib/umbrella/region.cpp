@@ -67,8 +67,7 @@ std::vector<Region> merge_holes(std::span<const Hole> holes,
 Neighborhoods::Neighborhoods(const delaunay::Triangulation3& triangulation)
     : triangulation_(triangulation),
       cell_of_vertex_(triangulation.points().size()),
-      seen_(triangulation.cells().size()),
-      star_(triangulation.cells().size()),
+      marks_(triangulation.n_finite_cells()),
       mark_(triangulation.points().size()) {
   for (std::size_t c = 0; c < triangulation.n_finite_cells(); ++c)
     for (const VertexId v : triangulation.cells()[c].vertex)
@@ -87,10 +86,12 @@ void Neighborhoods::collect_cells(std::span<const VertexId> vertices) {
 void Neighborhoods::collect_star(VertexId v) {
   ++n_stars_;
   const auto enter = [this](CellId c) {
-    star_[index(c)] = n_stars_;
+    Marks& marks = marks_[index(c)];
+    if (marks.star == n_stars_) return;
+    marks.star = n_stars_;
     stack_.push_back(c);
-    if (seen_[index(c)] == n_calls_) return;
-    seen_[index(c)] = n_calls_;
+    if (marks.call == n_calls_) return;
+    marks.call = n_calls_;
     cells_.push_back(c);
   };
   enter(cell_of_vertex_[index(v)]);
@@ -99,9 +100,7 @@ void Neighborhoods::collect_star(VertexId v) {
     stack_.pop_back();
     for (unsigned i = 0; i < 4; ++i) {
       const CellId beyond = cell.neighbor[i].cell();
-      if (cell.vertex[i] != v && star_[index(beyond)] != n_stars_ &&
-          !triangulation_.cell(beyond).is_infinite())
-        enter(beyond);
+      if (cell.vertex[i] != v && index(beyond) < marks_.size()) enter(beyond);
     }
   }
 }

@@ -48,8 +48,12 @@ class Neighborhoods {
 
   const delaunay::Triangulation3& triangulation_;
   std::vector<delaunay::CellId> cell_of_vertex_;
-  std::vector<std::uint32_t> seen_;  // last call that met the cell
-  std::vector<std::uint32_t> star_;  // last star that met the cell
+  /// Of a cell; side by side, for they are looked up together.
+  struct Marks {
+    std::uint32_t call = 0;  // the last that met it
+    std::uint32_t star = 0;  // the last that met it
+  };
+  std::vector<Marks> marks_;
   std::uint32_t n_calls_ = 0;
   std::uint32_t n_stars_ = 0;
   std::vector<delaunay::CellId> cells_;  // last collected, all within the hull
