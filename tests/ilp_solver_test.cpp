@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <random>
 #include <stdexcept>
 #include <string>
@@ -22,6 +23,7 @@ using ilp::Problem;
 using ilp::Solver;
 using ilp::Statistics;
 using ilp::Status;
+using ilp::Term;
 using ilp::VarId;
 
 using Generator = Problem (*)(std::mt19937_64&, std::uint32_t);
@@ -128,6 +130,53 @@ TEST(Solver, EnumeratesAllModelsByClauses) {
       16);
 }
 
+// Linear constraints that join late and shrink count like those of a program.
+TEST(Solver, TakesLinearConstraintsBetweenCalls) {
+  std::mt19937_64 rng(29);
+  for (int trial = 0; trial < 500; ++trial) {
+    SCOPED_TRACE(testing::Message() << "trial " << trial);
+    const Problem problem = support::random_program(rng, 10);
+    std::vector<Term> terms;
+    for (const VarId v : support::random_order(rng, problem.n_variables()))
+      terms.push_back({v, static_cast<std::int64_t>(rng() % 7) - 3});
+    Solver solver(problem);
+    solver.solve();
+    std::int64_t bound = 3;
+    const ilp::ConstraintId id = solver.add_linear(terms, bound);
+    EXPECT_EQ(id.index, problem.n_linear());
+    for (; bound > -8; --bound) {
+      solver.tighten(id, bound);
+      Problem bounded = problem;
+      bounded.add_linear(terms, bound);
+      const Status status = solver.solve();
+      ASSERT_EQ(status,
+                has_model(bounded) ? Status::Feasible : Status::Infeasible);
+      if (status == Status::Infeasible) break;
+      EXPECT_EQ(first_violation(bounded, solver.model()), "");
+    }
+  }
+}
+
+TEST(Solver, CountsPigeonsByLinearConstraints) {
+  Problem problem;
+  problem.add_variables(42);
+  std::vector<Term> somewhere, here;
+  for (std::uint32_t p = 0; p < 7; ++p) {
+    somewhere.clear();
+    for (std::uint32_t h = 0; h < 6; ++h)
+      somewhere.push_back({VarId{6 * p + h}, -1});
+    problem.add_linear(somewhere, -1);
+  }
+  for (std::uint32_t h = 0; h < 6; ++h) {
+    here.clear();
+    for (std::uint32_t p = 0; p < 7; ++p) here.push_back({VarId{6 * p + h}, 1});
+    problem.add_linear(here, 1);
+  }
+  Solver solver(problem);
+  EXPECT_EQ(solver.solve(), Status::Infeasible);
+  EXPECT_EQ(solver.core().constraints.size(), 13U);
+}
+
 // Runs the same calls on a new solver; the statistics tell the trace.
 std::tuple<Model, std::uint64_t, std::uint64_t> run(const Problem& problem) {
   std::mt19937_64 rng(3);
@@ -199,6 +248,8 @@ TEST(Solver, RefusesUnknownVariables) {
   const std::array unknown = {Literal(VarId{42}, true)};
   EXPECT_THROW(solver.solve(unknown), std::invalid_argument);
   EXPECT_THROW(solver.add_clause(unknown), std::invalid_argument);
+  EXPECT_THROW(solver.add_linear(std::array{Term{VarId{42}, 1}}, 0),
+               std::invalid_argument);
 }
 
 }  // namespace

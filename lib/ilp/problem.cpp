@@ -76,11 +76,33 @@ bool sides_hold(std::span<const Wall> walls, const Model& model) {
   });
 }
 
+bool linear_holds(std::span<const Term> terms, std::int64_t bound,
+                  const Model& model) {
+  std::int64_t sum = 0;
+  for (const Term& t : terms)
+    if (model[index(t.var)]) sum += t.coefficient;
+  return sum <= bound;
+}
+
 std::string name(const char* kind, std::size_t i) {
   return std::string(kind) + " " + std::to_string(i);
 }
 
 }  // namespace
+
+void check_range(std::span<const Term> terms, std::int64_t bound) {
+  std::uint64_t left = kMaxLinearSum;
+  const auto take = [&left](std::int64_t x) {
+    const auto u = static_cast<std::uint64_t>(x);
+    const std::uint64_t size = x < 0 ? ~u + 1 : u;
+    if (size > left)
+      throw std::invalid_argument("ilp: linear constraint out of range at " +
+                                  std::to_string(x));
+    left -= size;
+  };
+  take(bound);
+  for (const Term& t : terms) take(t.coefficient);
+}
 
 VarId Problem::add_variable() { return add_variables(1); }
 
@@ -129,6 +151,16 @@ ConstraintId Problem::add_clause(std::span<const Literal> literals) {
   return add_row(clauses_, literals, ConstraintKind::Clause);
 }
 
+ConstraintId Problem::add_linear(std::span<const Term> terms,
+                                 std::int64_t bound) {
+  ++n_checks_;
+  for (const Term& t : terms) check_distinct(t.var);
+  check_range(terms, bound);
+  const ConstraintId id = add_row(linear_, terms, ConstraintKind::Linear);
+  bounds_.push_back(bound);
+  return id;
+}
+
 void Problem::fix(VarId var, bool value) {
   check_known(var);
   fixed_.emplace_back(var, value);
@@ -165,6 +197,9 @@ std::string first_violation(const Problem& problem, const Model& model) {
   for (std::size_t i = 0; i < problem.n_clauses(); ++i)
     if (std::ranges::none_of(problem.clause(i), holds))
       return name("clause", i);
+  for (std::size_t i = 0; i < problem.n_linear(); ++i)
+    if (!linear_holds(problem.linear(i), problem.bound(i), model))
+      return name("linear", i);
   return {};
 }
 

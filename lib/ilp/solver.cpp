@@ -51,6 +51,7 @@ class Solver::Search {
         n_rings_(static_cast<std::uint32_t>(problem.n_rings())),
         n_sides_(static_cast<std::uint32_t>(problem.n_sides())),
         n_clauses_(static_cast<std::uint32_t>(problem.n_clauses())),
+        n_linear_(static_cast<std::uint32_t>(problem.n_linear())),
         model_(problem.n_variables(), false) {}
 
   void set_priority(std::span<const VarId> order) {
@@ -70,6 +71,19 @@ class Solver::Search {
     std::vector<Literal> clause(literals.begin(), literals.end());
     if (normalize(clause)) propagator_.add_clause(clause, Antecedent(id), 0);
     return id;
+  }
+
+  ConstraintId add_linear(std::span<const Term> terms, std::int64_t bound) {
+    check_distinct(terms);
+    check_range(terms, bound);
+    backtrack(0);
+    propagator_.add_linear(terms, bound);
+    return {ConstraintKind::Linear, n_linear_++};
+  }
+
+  void tighten(ConstraintId linear, std::int64_t bound) {
+    backtrack(0);
+    propagator_.tighten(linear.index, bound);
   }
 
   Status solve(std::span<const Literal> assumptions, const Limits& limits) {
@@ -117,6 +131,18 @@ class Solver::Search {
       if (index(l.var()) >= model_.size())
         throw std::invalid_argument("ilp: no variable " +
                                     std::to_string(index(l.var())));
+  }
+
+  void check_distinct(std::span<const Term> terms) const {
+    std::vector<Literal> vars;
+    for (const Term& t : terms) vars.emplace_back(t.var, true);
+    check_known(vars);
+    std::ranges::sort(vars);
+    const auto twice = std::ranges::adjacent_find(vars);
+    if (twice != vars.end())
+      throw std::invalid_argument("ilp: variable " +
+                                  std::to_string(index(twice->var())) +
+                                  " twice in one constraint");
   }
 
   // Keeps the levels that the new assumptions share with the old decisions.
@@ -243,6 +269,8 @@ class Solver::Search {
       all.push_back({ConstraintKind::Sides, i});
     for (std::uint32_t i = 0; i < n_clauses_; ++i)
       all.push_back({ConstraintKind::Clause, i});
+    for (std::uint32_t i = 0; i < n_linear_; ++i)
+      all.push_back({ConstraintKind::Linear, i});
     return all;
   }
 
@@ -254,6 +282,7 @@ class Solver::Search {
   std::uint32_t n_rings_;
   std::uint32_t n_sides_;
   std::uint32_t n_clauses_;
+  std::uint32_t n_linear_;
 
   Branching branching_ = Branching::Adaptive;
   std::vector<Literal> decisions_;  // of each level; an assumption may hold
@@ -290,6 +319,15 @@ void Solver::set_branching(Branching branching) {
 
 ConstraintId Solver::add_clause(std::span<const Literal> literals) {
   return search_->add_clause(literals);
+}
+
+ConstraintId Solver::add_linear(std::span<const Term> terms,
+                                std::int64_t bound) {
+  return search_->add_linear(terms, bound);
+}
+
+void Solver::tighten(ConstraintId linear, std::int64_t bound) {
+  search_->tighten(linear, bound);
 }
 
 Status Solver::solve(std::span<const Literal> assumptions,

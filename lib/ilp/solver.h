@@ -63,6 +63,11 @@ class Solver {
   /// @throws std::invalid_argument  unknown variable
   ConstraintId add_clause(std::span<const Literal> literals);
 
+  /// Likewise; the terms as for Problem::add_linear().
+  ConstraintId add_linear(std::span<const Term> terms, std::int64_t bound);
+  /// @pre `linear` is a linear constraint whose bound is at least `bound`
+  void tighten(ConstraintId linear, std::int64_t bound);
+
   /// Looks for a model in which the assumptions hold. What was learned serves
   /// later calls; those whose assumptions begin alike are the quickest.
   /// @return Feasible, Infeasible or Limit
