@@ -7,8 +7,6 @@
 namespace ilp {
 namespace {
 
-constexpr std::size_t kMaxVariables = std::size_t{1} << 29U;
-
 template <class T>
 ConstraintId add_row(Rows<T>& rows, std::span<const T> row,
                      ConstraintKind kind) {
@@ -90,18 +88,16 @@ std::string name(const char* kind, std::size_t i) {
 
 }  // namespace
 
-void check_range(std::span<const Term> terms, std::int64_t bound) {
+bool is_in_range(std::span<const Term> terms, std::int64_t bound) {
   std::uint64_t left = kMaxLinearSum;
   const auto take = [&left](std::int64_t x) {
     const auto u = static_cast<std::uint64_t>(x);
     const std::uint64_t size = x < 0 ? ~u + 1 : u;
-    if (size > left)
-      throw std::invalid_argument("ilp: linear constraint out of range at " +
-                                  std::to_string(x));
+    if (size > left) return false;
     left -= size;
+    return true;
   };
-  take(bound);
-  for (const Term& t : terms) take(t.coefficient);
+  return take(bound) && std::ranges::all_of(terms, take, &Term::coefficient);
 }
 
 VarId Problem::add_variable() { return add_variables(1); }
@@ -155,7 +151,9 @@ ConstraintId Problem::add_linear(std::span<const Term> terms,
                                  std::int64_t bound) {
   ++n_checks_;
   for (const Term& t : terms) check_distinct(t.var);
-  check_range(terms, bound);
+  if (!is_in_range(terms, bound))
+    throw std::invalid_argument("ilp: linear constraint " +
+                                std::to_string(n_linear()) + " out of range");
   const ConstraintId id = add_row(linear_, terms, ConstraintKind::Linear);
   bounds_.push_back(bound);
   return id;

@@ -17,9 +17,10 @@ namespace ilp {
 /// So no sum of a linear constraint overflows, with room to spare.
 inline constexpr std::int64_t kMaxLinearSum = std::int64_t{1} << 61U;
 
-/// @throws std::invalid_argument  |bound| and the |coefficients| add up to more
-///   than kMaxLinearSum
-void check_range(std::span<const Term> terms, std::int64_t bound);
+/// Whether |bound| and the |coefficients| add up to at most kMaxLinearSum.
+bool is_in_range(std::span<const Term> terms, std::int64_t bound);
+
+inline constexpr std::size_t kMaxVariables = std::size_t{1} << 29U;
 
 /// The values of all variables.
 using Model = std::vector<bool>;

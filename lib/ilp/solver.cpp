@@ -75,7 +75,8 @@ class Solver::Search {
 
   ConstraintId add_linear(std::span<const Term> terms, std::int64_t bound) {
     check_distinct(terms);
-    check_range(terms, bound);
+    if (!is_in_range(terms, bound))
+      throw std::invalid_argument("ilp: linear constraint out of range");
     backtrack(0);
     propagator_.add_linear(terms, bound);
     return {ConstraintKind::Linear, n_linear_++};
