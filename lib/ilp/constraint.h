@@ -56,6 +56,7 @@ struct Wall {
 struct Term {
   VarId var;
   std::int64_t coefficient;
+  friend constexpr bool operator==(const Term&, const Term&) = default;
 };
 
 enum class ConstraintKind : std::uint8_t { Pair, Ring, Sides, Clause, Linear };

@@ -45,7 +45,10 @@ class Propagator {
   /// As Linears::add() and tighten(), at level 0; a conflict shows likewise.
   void add_linear(std::span<const Term> terms, std::int64_t bound);
   void tighten(std::uint32_t linear, std::int64_t bound);
-  void forget_clauses() { clauses_.forget(assignment_); }
+  /// As Clauses::forget().
+  void forget_clauses(const Clauses::OnForgotten& on_forgotten) {
+    clauses_.forget(assignment_, on_forgotten);
+  }
 
  private:
   bool fix(const Problem& problem);
