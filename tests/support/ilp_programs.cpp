@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstdlib>
 #include <map>
 #include <numeric>
 
@@ -12,6 +13,7 @@ using ilp::Literal;
 using ilp::Model;
 using ilp::Problem;
 using ilp::Spoke;
+using ilp::Term;
 using ilp::VarId;
 using ilp::Wall;
 
@@ -38,14 +40,6 @@ std::vector<Literal> random_clause(std::mt19937_64& rng, std::uint32_t n) {
   return clause;
 }
 
-void add_random_extras(std::mt19937_64& rng, Problem& problem) {
-  const auto n = static_cast<std::uint32_t>(problem.n_variables());
-  for (std::uint32_t k = below(rng, 4); k > 0; --k)
-    problem.add_clause(random_clause(rng, n));
-  for (std::uint32_t k = below(rng, 4); k > 0; --k)
-    problem.fix(VarId{below(rng, n)}, below(rng, 2) == 0);
-}
-
 std::vector<VarId> random_subset(std::mt19937_64& rng, std::uint32_t n,
                                  std::size_t size) {
   std::vector<VarId> vars = random_order(rng, n);
@@ -61,6 +55,38 @@ std::vector<Wall> random_walls(std::mt19937_64& rng, std::uint32_t n) {
         {v, below(rng, n_rooms), below(rng, n_rooms), below(rng, 2) == 0});
   if (2 * walls.size() < n_rooms) walls.clear();
   return walls;
+}
+
+std::vector<Term> random_terms(std::mt19937_64& rng, std::uint32_t n) {
+  std::vector<Term> terms;
+  const std::int64_t range = std::int64_t{1} << below(rng, 5);
+  for (const VarId v : random_subset(rng, n, 1 + below(rng, 9))) {
+    const auto size = static_cast<std::int64_t>(rng()) % (range + 1);
+    terms.push_back({v, size});
+  }
+  return terms;
+}
+
+// Near what half of the variables give.
+void add_random_linear(std::mt19937_64& rng, Problem& problem) {
+  const auto n = static_cast<std::uint32_t>(problem.n_variables());
+  const std::vector<Term> terms = random_terms(rng, n);
+  std::int64_t sum = 0, size = 0;
+  for (const Term& t : terms) {
+    sum += t.coefficient;
+    size += std::abs(t.coefficient);
+  }
+  problem.add_linear(
+      terms, sum / 2 + static_cast<std::int64_t>(rng()) % (size / 2 + 1));
+}
+
+void add_random_extras(std::mt19937_64& rng, Problem& problem) {
+  const auto n = static_cast<std::uint32_t>(problem.n_variables());
+  for (std::uint32_t k = below(rng, 4); k > 0; --k)
+    problem.add_clause(random_clause(rng, n));
+  for (std::uint32_t k = below(rng, 4); k > 0; --k)
+    problem.fix(VarId{below(rng, n)}, below(rng, 2) == 0);
+  if (below(rng, 3) == 0) add_random_linear(rng, problem);
 }
 
 }  // namespace
@@ -179,6 +205,8 @@ Problem random_program(std::mt19937_64& rng, std::uint32_t max_variables) {
   }
   for (std::uint32_t k = below(rng, 3); k > 0; --k)
     problem.add_sides(random_walls(rng, n));
+  for (std::uint32_t k = below(rng, 4); k > 0; --k)
+    add_random_linear(rng, problem);
   add_random_extras(rng, problem);
   return problem;
 }
@@ -198,6 +226,8 @@ Problem part_of(const Problem& problem,
       part.add_ring(problem.ring(i), problem.is_optional(i));
     if (kind == ConstraintKind::Sides) part.add_sides(problem.sides(i));
     if (kind == ConstraintKind::Clause) part.add_clause(problem.clause(i));
+    if (kind == ConstraintKind::Linear)
+      part.add_linear(problem.linear(i), problem.bound(i));
   }
   return with_fixed(part, problem.fixed());
 }
