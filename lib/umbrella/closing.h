@@ -21,11 +21,16 @@ enum class CloseMode {
 };
 
 /// What makes a triangle the worse in CloseMode::Best: the larger, the worse.
-enum class CloseWeight { Circumradius, LambdaLower, Area };
+enum class CloseWeight {
+  BallOverlap,  ///< how deep the circumballs of its two cells cut each other
+  Circumradius,
+  LambdaLower,
+  Area
+};
 
 struct ClosingOptions {
   CloseMode mode = CloseMode::Best;
-  CloseWeight weight = CloseWeight::Circumradius;
+  CloseWeight weight = CloseWeight::BallOverlap;
   /// Effort for all programs together, the same on every run. Each may take
   /// half of what is left, so that a hard region leaves some to the others.
   std::uint64_t conflicts = 240'000;

@@ -3,6 +3,7 @@
 
 #include "ilp/improve.h"
 #include "umbrella/region_solver_internal.h"
+#include "umbrella/rooms_internal.h"
 
 namespace umbrella {
 namespace {
@@ -29,10 +30,9 @@ struct RegionSolver::Work {
   ilp::Model model;
   Attempt result;
 
-  Work(const WorkingSurface& surface, const Region& region,
-       std::vector<LocatedTriangle> found, std::span<const VertexId> may_drop)
-      : candidates(std::move(found)),
-        program(surface, candidates, region.vertices, may_drop),
+  Work(std::vector<LocatedTriangle> candidates_found, ClosingProgram made)
+      : candidates(std::move(candidates_found)),
+        program(std::move(made)),
         solver(program.problem()) {
     result.n_candidates = candidates.size();
     result.n_variables = program.problem().n_variables();
@@ -58,7 +58,10 @@ RegionSolver::RegionSolver(const delaunay::Triangulation3& triangulation,
 Attempt RegionSolver::attempt(const Region& region,
                               std::span<const VertexId> may_drop,
                               std::span<const Piece> allowed) {
-  Work work(surface_, region, neighborhoods_.candidates(region), may_drop);
+  std::vector<LocatedTriangle> candidates = neighborhoods_.candidates(region);
+  ClosingProgram program(surface_, candidates, region.vertices, may_drop);
+  add_sides(program, candidates);
+  Work work(std::move(candidates), std::move(program));
   work.allowed = allowed;
   order_worst_first(work);
   settle_dropped(work);
@@ -75,6 +78,17 @@ std::vector<VertexId> RegionSolver::vertices(const Region& region) {
   std::sort(result.begin(), result.end());
   result.erase(std::unique(result.begin(), result.end()), result.end());
   return result;
+}
+
+void RegionSolver::add_sides(
+    ClosingProgram& program,
+    std::span<const LocatedTriangle> candidates) const {
+  std::vector<LocatedTriangle> fixed;
+  for (const TriangleIndex t : program.fixed())
+    fixed.push_back(surface_.triangle(t));
+  program.add_sides(
+      walls_between_rooms(neighborhoods_.cells(),
+                          {candidates, fixed, program.vertices(), is_open_}));
 }
 
 void RegionSolver::order_worst_first(Work& work) const {

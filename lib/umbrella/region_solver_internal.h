@@ -67,6 +67,9 @@ class RegionSolver {
  private:
   struct Work;  // one attempt
 
+  /// @pre the cells of the candidates are the last ones collected
+  void add_sides(ClosingProgram& program,
+                 std::span<const LocatedTriangle> candidates) const;
   void order_worst_first(Work& work) const;
   void settle_dropped(Work& work) const;
   void search(Work& work);

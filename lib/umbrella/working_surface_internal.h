@@ -33,6 +33,9 @@ class WorkingSurface {
   const Triangle& corners(TriangleIndex t) const {
     return triangles_[t].corners;
   }
+  const LocatedTriangle& triangle(TriangleIndex t) const {
+    return triangles_[t];
+  }
   bool contains(TriangleIndex t) const { return is_there_[t]; }
 
   void add(const LocatedTriangle& triangle) {
