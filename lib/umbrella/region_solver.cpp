@@ -227,6 +227,7 @@ ilp::Limits RegionSolver::limits(const ilp::Solver& solver) const {
   limits.propagations = left(left(options_.propagations, propagations_) / kPart,
                              used.propagations);
   limits.seconds = std::max(0.0, options_.seconds - spent.count());
+  limits.stop = options_.stop;
   return limits;
 }
 

@@ -58,7 +58,10 @@ class RegionSolver {
     return neighborhoods_.candidates(region).size();
   }
   /// Whether nothing is left of the effort of all programs.
-  bool is_spent() const { return propagations_ >= options_.propagations; }
+  bool is_spent() const {
+    const bool is_stopped = options_.stop != nullptr && *options_.stop;
+    return is_stopped || propagations_ >= options_.propagations;
+  }
   void charge(std::uint64_t propagations) { propagations_ += propagations; }
 
   Neighborhoods& neighborhoods() { return neighborhoods_; }
