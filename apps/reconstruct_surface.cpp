@@ -13,6 +13,7 @@ umbrella::Reconstruction run(const io::PointSet& points, const Request& request,
   umbrella::ReconstructOptions options;
   options.stage = request.stage;
   options.criterion = request.criterion;
+  options.umbrella = umbrella::umbrella_choice(request.umbrella);
   options.closing.mode = request.close;
   if (request.time_limit) options.closing.seconds = *request.time_limit;
   options.progress = [&](std::string_view stage) { progress.show(stage); };

@@ -10,7 +10,6 @@
 #include <string>
 #include <utility>
 
-#include "umbrella/criterion.h"
 #include "umbrella/filter.h"
 #include "umbrella/surface.h"
 
@@ -18,16 +17,6 @@ namespace umbrella {
 namespace {
 
 using delaunay::Triangulation3;
-
-constexpr std::array<std::string_view, 2> kCriteria = {"paper", "circumradius"};
-
-std::vector<RankedTriangle> ranked_by(std::string_view criterion,
-                                      const Triangulation3& triangulation,
-                                      const Circumspheres& spheres) {
-  if (criterion == "circumradius")
-    return ranked_triangles(triangulation, spheres, CircumradiusCriterion{});
-  return ranked_triangles(triangulation, spheres, PaperCriterion{});
-}
 
 std::vector<LocatedTriangle> without_ranks(
     std::span<const RankedTriangle> ranked) {
@@ -42,10 +31,7 @@ std::vector<LocatedTriangle> without_ranks(
 class Pipeline {
  public:
   explicit Pipeline(const ReconstructOptions& options) : options_(options) {
-    if (std::find(kCriteria.begin(), kCriteria.end(), options.criterion) ==
-        kCriteria.end())
-      throw std::invalid_argument("there is no criterion '" +
-                                  std::string(options.criterion) + "'");
+    require_criterion(options.criterion);
   }
 
   Reconstruction run(std::span<const Point3> points);
@@ -104,8 +90,9 @@ std::vector<LocatedTriangle> Pipeline::triangles_of(
   result_.seconds.lambda += seconds;
   result_.counts.admissible_triangles = ranked.size();
 
-  const auto filtered = timed("filter", result_.seconds.filter,
-                              [&] { return umbrella_filter(n, ranked); });
+  const auto filtered = timed("filter", result_.seconds.filter, [&] {
+    return umbrella_filter(triangulation.points(), ranked, options_.umbrella);
+  });
   result_.counts.filter_triangles = filtered.triangles.size();
   result_.counts.filter_without_umbrella = filtered.without_umbrella.size();
   if (options_.stage == Stage::Filter) return without_ranks(filtered.triangles);
@@ -187,8 +174,6 @@ void Pipeline::finish(const Triangulation3& triangulation,
 }
 
 }  // namespace
-
-std::span<const std::string_view> criterion_names() { return kCriteria; }
 
 Reconstruction reconstruct(std::span<const Point3> points,
                            const ReconstructOptions& options) {

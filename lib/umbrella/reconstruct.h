@@ -13,7 +13,9 @@
 #include "umbrella/certificate.h"
 #include "umbrella/clean_up.h"
 #include "umbrella/closing.h"
+#include "umbrella/criteria.h"
 #include "umbrella/triangle.h"
+#include "umbrella/umbrella_choice.h"
 
 namespace umbrella {
 
@@ -24,6 +26,7 @@ struct ReconstructOptions {
   Stage stage = Stage::Closed;
   /// One of criterion_names().
   std::string_view criterion = "paper";
+  UmbrellaChoice umbrella = UmbrellaChoice::First;
   CleanUpOptions clean_up = {};
   ClosingOptions closing = {};
   /// Called at the start of each stage with its name as in `seconds`.
@@ -74,9 +77,6 @@ struct Reconstruction {
   SurfaceReport surface;
   ReconstructSeconds seconds;
 };
-
-/// The criteria that can be asked for by name: "paper" first.
-std::span<const std::string_view> criterion_names();
 
 /// @param points  any unit; duplicates are merged
 /// @throws std::invalid_argument  a coordinate is not finite (names the row),
