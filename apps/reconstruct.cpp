@@ -24,6 +24,7 @@
 #include "io/file.h"
 #include "io/mesh.h"
 #include "io/points.h"
+#include "umbrella/methods.h"
 
 namespace command {
 namespace {
@@ -208,7 +209,24 @@ void add_method_options(CLI::App& sub, Request& request) {
       ->type_name("S");
 }
 
+std::string method_problem(const std::string& text) {
+  try {
+    umbrella::parse_method(text);
+  } catch (const std::invalid_argument& problem) {
+    return problem.what();
+  }
+  return "";
+}
+
 void add_experiment_options(CLI::App& sub, Request& request) {
+  std::vector<std::string> methods;
+  for (const auto& method : umbrella::all_methods())
+    methods.emplace_back(method.name);
+  sub.add_option("--method", request.method,
+                 "What finds the first triangles: " + joined(methods) +
+                     "; parameters follow as NAME=X or NAME=X:Y [umbrella]")
+      ->check(method_problem)
+      ->type_name("NAME");
   const auto criteria = strings(umbrella::criterion_names());
   sub.add_option(
          "--criterion", request.criterion,

@@ -24,6 +24,9 @@ enum class Stage { Filter, Clean, Closed };
 
 struct ReconstructOptions {
   Stage stage = Stage::Closed;
+  /// What finds the candidates, see parse_method(). But for "umbrella", what
+  /// the next two say has no effect.
+  std::string_view method = "umbrella";
   /// One of criterion_names().
   std::string_view criterion = "paper";
   UmbrellaChoice umbrella = UmbrellaChoice::First;
@@ -80,7 +83,7 @@ struct Reconstruction {
 
 /// @param points  any unit; duplicates are merged
 /// @throws std::invalid_argument  a coordinate is not finite (names the row),
-///   or there is no such criterion
+///   or there is no such criterion or method
 Reconstruction reconstruct(std::span<const Point3> points,
                            const ReconstructOptions& options = {});
 
