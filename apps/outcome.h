@@ -18,7 +18,9 @@ namespace command {
 struct Request {
   std::vector<std::string> files;  ///< for messages and the report
   umbrella::Stage stage = umbrella::Stage::Closed;
+  std::string method = "umbrella";
   std::string criterion = "paper";
+  std::string umbrella = "first";
   umbrella::CloseMode close = umbrella::CloseMode::Best;
   std::optional<double> time_limit;  ///< seconds
 };

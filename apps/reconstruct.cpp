@@ -24,6 +24,7 @@
 #include "io/file.h"
 #include "io/mesh.h"
 #include "io/points.h"
+#include "umbrella/methods.h"
 
 namespace command {
 namespace {
@@ -154,6 +155,11 @@ std::string path_problem(const std::string& text) {
   return text.empty() ? "the name of a file is empty" : "";
 }
 
+template <class Names>
+std::vector<std::string> strings(const Names& names) {
+  return {names.begin(), names.end()};
+}
+
 // Empty if the text is a time. (CLI::Range lets NaN through.)
 std::string seconds_problem(const std::string& text) {
   double value = 0;
@@ -189,14 +195,6 @@ void add_method_options(CLI::App& sub, Request& request) {
               {"clean", umbrella::Stage::Clean},
               {"closed", umbrella::Stage::Closed}}))
       ->type_name("STAGE");
-  std::vector<std::string> criteria;
-  for (const std::string_view name : umbrella::criterion_names())
-    criteria.emplace_back(name);
-  sub.add_option(
-         "--criterion", request.criterion,
-         "What makes a triangle a good one: " + joined(criteria) + " [paper]")
-      ->check(CLI::IsMember(criteria))
-      ->type_name("NAME");
   sub.add_option("--close", request.close,
                  "best: worst triangles last, no point left out if possible; "
                  "paper: any solution of the paper's program [best]")
@@ -209,6 +207,38 @@ void add_method_options(CLI::App& sub, Request& request) {
                  "Seconds for closing; regions undecided by then stay open")
       ->check(seconds_problem)
       ->type_name("S");
+}
+
+std::string method_problem(const std::string& text) {
+  try {
+    umbrella::parse_method(text);
+  } catch (const std::invalid_argument& problem) {
+    return problem.what();
+  }
+  return "";
+}
+
+void add_experiment_options(CLI::App& sub, Request& request) {
+  std::vector<std::string> methods;
+  for (const auto& method : umbrella::all_methods())
+    methods.emplace_back(method.name);
+  sub.add_option("--method", request.method,
+                 "What finds the first triangles: " + joined(methods) +
+                     "; parameters follow as NAME=X or NAME=X:Y [umbrella]")
+      ->check(method_problem)
+      ->type_name("NAME");
+  const auto criteria = strings(umbrella::criterion_names());
+  sub.add_option(
+         "--criterion", request.criterion,
+         "What makes a triangle a good one: " + joined(criteria) + " [paper]")
+      ->check(CLI::IsMember(criteria))
+      ->type_name("NAME");
+  const auto choices = strings(umbrella::umbrella_choice_names());
+  sub.add_option(
+         "--umbrella", request.umbrella,
+         "Which umbrella a point chooses: " + joined(choices) + " [first]")
+      ->check(CLI::IsMember(choices))
+      ->type_name("NAME");
 }
 
 void add_run_options(CLI::App& sub, Options& options) {
@@ -249,6 +279,7 @@ Examples:
   umbrella reconstruct scan.ply --stage filter -o filtered.ply)");
   add_file_options(*sub, *options);
   add_method_options(*sub, options->request);
+  add_experiment_options(*sub, options->request);
   add_run_options(*sub, *options);
   sub->callback([options, &exit_code] { exit_code = reconstruct(*options); });
 }

@@ -15,6 +15,12 @@ void require_plane_options(const Request& request) {
   if (request.criterion != "paper")
     throw std::invalid_argument("--criterion " + request.criterion +
                                 " is for points in space");
+  if (request.method != "umbrella")
+    throw std::invalid_argument("--method " + request.method +
+                                " is for points in space");
+  if (request.umbrella != "first")
+    throw std::invalid_argument("--umbrella " + request.umbrella +
+                                " is for points in space");
   if (request.close != umbrella::CloseMode::Best)
     throw std::invalid_argument("--close paper is for points in space");
 }

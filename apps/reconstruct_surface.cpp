@@ -1,6 +1,7 @@
 #include <stdexcept>
 
 #include "apps/outcome.h"
+#include "umbrella/methods.h"
 
 namespace command {
 namespace {
@@ -8,11 +9,21 @@ namespace {
 using report::Json;
 using umbrella::Stage;
 
+void require_filter_options(const Request& request) {
+  if (umbrella::parse_method(request.method).is_umbrella()) return;
+  if (request.criterion != "paper" || request.umbrella != "first")
+    throw std::invalid_argument(
+        "--criterion and --umbrella are for --method umbrella");
+}
+
 umbrella::Reconstruction run(const io::PointSet& points, const Request& request,
                              terminal::Progress& progress) {
+  require_filter_options(request);
   umbrella::ReconstructOptions options;
   options.stage = request.stage;
+  options.method = request.method;
   options.criterion = request.criterion;
+  options.umbrella = umbrella::umbrella_choice(request.umbrella);
   options.closing.mode = request.close;
   if (request.time_limit) options.closing.seconds = *request.time_limit;
   options.progress = [&](std::string_view stage) { progress.show(stage); };

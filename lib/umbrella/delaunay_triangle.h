@@ -43,6 +43,13 @@ class DelaunayTriangle {
   }
   bool on_hull() const;
 
+  /// Whether the centre of each of cells() is on its own side of the triangle,
+  /// or in its plane; exact. True beyond the hull.
+  std::array<bool, 2> centers_on_own_side() const {
+    return {spheres_->apex_outside_diametral_ball(facet_),
+            spheres_->apex_outside_diametral_ball(opposite())};
+  }
+
   /// No sample point lies in the open diametral ball; exact.
   bool is_gabriel() const {
     // Both are looked up at once: to wait for one would cost more.
@@ -67,13 +74,26 @@ class DelaunayTriangle {
                ? squared_circumradius / largest
                : exact_squared_lambda_lower();
   }
+  /// Squares of lambda_1 and lambda_2 [Adamy02, Sec. 2], towards cells(): 0
+  /// beyond the hull.
+  std::array<double, 2> squared_lambdas() const;
+  /// Squared circumradii of cells(), as squared_circumradius(); infinite
+  /// beyond the hull.
+  std::array<double, 2> squared_cell_radii() const {
+    return {spheres_->squared_radius(facet_.cell()),
+            spheres_->squared_radius(opposite().cell())};
+  }
   /// In units of (1 / scale)^2, scale as in Circumspheres; so it ranks at
   /// any size.
   double squared_circumradius() const;
+  /// In units of (1 / scale)^4.
+  double squared_area() const;
 
   /// The doubles nearest to the exact values; slow.
   double exact_squared_lambda_lower() const;
   double exact_squared_circumradius() const;
+  std::array<double, 2> exact_squared_lambdas() const;
+  std::array<double, 2> exact_squared_cell_radii() const;
   /// Before rounding; slower still. The latter is of 4 r^2.
   ExactRatio squared_lambda_lower_ratio() const;
   ExactRatio squared_circumradius_ratio() const;

@@ -10,24 +10,14 @@
 #include <string>
 #include <utility>
 
-#include "umbrella/criterion.h"
 #include "umbrella/filter.h"
+#include "umbrella/methods.h"
 #include "umbrella/surface.h"
 
 namespace umbrella {
 namespace {
 
 using delaunay::Triangulation3;
-
-constexpr std::array<std::string_view, 2> kCriteria = {"paper", "circumradius"};
-
-std::vector<RankedTriangle> ranked_by(std::string_view criterion,
-                                      const Triangulation3& triangulation,
-                                      const Circumspheres& spheres) {
-  if (criterion == "circumradius")
-    return ranked_triangles(triangulation, spheres, CircumradiusCriterion{});
-  return ranked_triangles(triangulation, spheres, PaperCriterion{});
-}
 
 std::vector<LocatedTriangle> without_ranks(
     std::span<const RankedTriangle> ranked) {
@@ -41,11 +31,9 @@ std::vector<LocatedTriangle> without_ranks(
 
 class Pipeline {
  public:
-  explicit Pipeline(const ReconstructOptions& options) : options_(options) {
-    if (std::find(kCriteria.begin(), kCriteria.end(), options.criterion) ==
-        kCriteria.end())
-      throw std::invalid_argument("there is no criterion '" +
-                                  std::string(options.criterion) + "'");
+  explicit Pipeline(const ReconstructOptions& options)
+      : options_(options), method_(parse_method(options.method)) {
+    require_criterion(options.criterion);
   }
 
   Reconstruction run(std::span<const Point3> points);
@@ -65,12 +53,15 @@ class Pipeline {
 
   std::vector<LocatedTriangle> triangles_of(const Triangulation3& triangulation,
                                             const Circumspheres& spheres);
+  FilterResult filtered(const Triangulation3& triangulation,
+                        const Circumspheres& spheres);
   CleanUpResult cleaned(std::size_t n_vertices, const FilterResult& filtered);
   std::vector<Hole> holes(std::size_t n_vertices, const CleanUpResult& clean);
   void finish(const Triangulation3& triangulation, const Circumspheres& spheres,
               std::span<const LocatedTriangle> triangles);
 
   const ReconstructOptions& options_;
+  Method method_;
   std::vector<VertexId> dropped_;
   Reconstruction result_;
 };
@@ -97,15 +88,7 @@ Reconstruction Pipeline::run(std::span<const Point3> points) {
 std::vector<LocatedTriangle> Pipeline::triangles_of(
     const Triangulation3& triangulation, const Circumspheres& spheres) {
   const std::size_t n = triangulation.points().size();
-  double seconds = 0;
-  const auto ranked = timed("lambda", seconds, [&] {
-    return ranked_by(options_.criterion, triangulation, spheres);
-  });
-  result_.seconds.lambda += seconds;
-  result_.counts.admissible_triangles = ranked.size();
-
-  const auto filtered = timed("filter", result_.seconds.filter,
-                              [&] { return umbrella_filter(n, ranked); });
+  const FilterResult filtered = this->filtered(triangulation, spheres);
   result_.counts.filter_triangles = filtered.triangles.size();
   result_.counts.filter_without_umbrella = filtered.without_umbrella.size();
   if (options_.stage == Stage::Filter) return without_ranks(filtered.triangles);
@@ -120,6 +103,26 @@ std::vector<LocatedTriangle> Pipeline::triangles_of(
   result_.closing = closed.report;
   dropped_ = std::move(closed.dropped);
   return std::move(closed.triangles);
+}
+
+FilterResult Pipeline::filtered(const Triangulation3& triangulation,
+                                const Circumspheres& spheres) {
+  if (!method_.is_umbrella()) {
+    FilterResult result = timed("filter", result_.seconds.filter, [&] {
+      return method_filter(method_, triangulation, spheres);
+    });
+    result_.counts.admissible_triangles = result.triangles.size();
+    return result;
+  }
+  double seconds = 0;
+  const auto ranked = timed("lambda", seconds, [&] {
+    return ranked_by(options_.criterion, triangulation, spheres);
+  });
+  result_.seconds.lambda += seconds;
+  result_.counts.admissible_triangles = ranked.size();
+  return timed("filter", result_.seconds.filter, [&] {
+    return umbrella_filter(triangulation.points(), ranked, options_.umbrella);
+  });
 }
 
 CleanUpResult Pipeline::cleaned(std::size_t n_vertices,
@@ -187,8 +190,6 @@ void Pipeline::finish(const Triangulation3& triangulation,
 }
 
 }  // namespace
-
-std::span<const std::string_view> criterion_names() { return kCriteria; }
 
 Reconstruction reconstruct(std::span<const Point3> points,
                            const ReconstructOptions& options) {

@@ -13,7 +13,9 @@
 #include "umbrella/certificate.h"
 #include "umbrella/clean_up.h"
 #include "umbrella/closing.h"
+#include "umbrella/criteria.h"
 #include "umbrella/triangle.h"
+#include "umbrella/umbrella_choice.h"
 
 namespace umbrella {
 
@@ -22,8 +24,12 @@ enum class Stage { Filter, Clean, Closed };
 
 struct ReconstructOptions {
   Stage stage = Stage::Closed;
+  /// What finds the candidates, see parse_method(). But for "umbrella", what
+  /// the next two say has no effect.
+  std::string_view method = "umbrella";
   /// One of criterion_names().
   std::string_view criterion = "paper";
+  UmbrellaChoice umbrella = UmbrellaChoice::First;
   CleanUpOptions clean_up = {};
   ClosingOptions closing = {};
   /// Called at the start of each stage with its name as in `seconds`.
@@ -75,12 +81,9 @@ struct Reconstruction {
   ReconstructSeconds seconds;
 };
 
-/// The criteria that can be asked for by name: "paper" first.
-std::span<const std::string_view> criterion_names();
-
 /// @param points  any unit; duplicates are merged
 /// @throws std::invalid_argument  a coordinate is not finite (names the row),
-///   or there is no such criterion
+///   or there is no such criterion or method
 Reconstruction reconstruct(std::span<const Point3> points,
                            const ReconstructOptions& options = {});
 
