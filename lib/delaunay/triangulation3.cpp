@@ -93,7 +93,9 @@ Triangulation3::Triangulation3(std::span<const Point3> points,
   const int exponent = scaling_exponent(points_);
   scale(points_, exponent);
   scale_exponent_ = -exponent;
-  const InsertionOptions options = {.threads = std::max(threads, 1U)};
+  InsertionOptions options;
+  options.threads = static_cast<unsigned>(std::clamp<std::size_t>(
+      points_.size() / options.min_vertices, 1, std::max(threads, 1U)));
   Mesh3 mesh(points_, options.threads);
   n_finite_cells_ =
       insert_all(mesh, frame.vertex, insertion_order(points_.size()), options);
