@@ -83,7 +83,7 @@ Triangulation3::Triangulation3(std::span<const Point3> points,
     throw std::invalid_argument(
         std::to_string(points.size()) + " points; at most " +
         std::to_string(max_points()) + " can be triangulated");
-  auto [distinct, vertex_of_row] = spatial_order(points);
+  auto [distinct, vertex_of_row] = spatial_order(points, threads);
   points_ = std::move(distinct);
   vertex_of_row_ = std::move(vertex_of_row);
   const Frame frame = find_frame(points_);
