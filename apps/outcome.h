@@ -23,6 +23,7 @@ struct Request {
   std::string umbrella = "first";
   umbrella::CloseMode close = umbrella::CloseMode::Best;
   std::optional<double> time_limit;  ///< seconds
+  unsigned threads = 1;
 };
 
 struct Outcome {

@@ -146,25 +146,32 @@ void BowyerWatson3::insert(VertexId v) {
   fill_cavity(v);
 }
 
-bool BowyerWatson3::enter(const Part& part, VertexId v, CellId near) {
+void BowyerWatson3::resume(CellId near) {
   cells_ = mesh_.cells.data();
+  hint_ = finite(near);
+}
+
+bool BowyerWatson3::enter(const Part& part, VertexId v, CellId near) {
+  resume(near);
+  lacks_room_ = false;
   part_ = part;
-  hint_ = finite(locate(finite(near), at(v)));
+  hint_ = finite(locate(hint_, at(v)));
   return part_.holds(cells_[index(hint_)]);
 }
 
 bool BowyerWatson3::insert_within_part(VertexId v) {
+  if (lacks_room_) return false;
   const double* p = at(v);
   const CellId seed = walk<false>(hint_, p, part_);
   if (!cells_[index(seed)].is_infinite()) hint_ = seed;
   if (!in_conflict(cells_[index(seed)], p)) return false;
-  if (!find_cavity(seed, p, part_) ||
-      fresh_.end_after(n_fresh_cells()) > mesh_.cells.size()) {
+  const bool is_within = find_cavity(seed, p, part_);
+  lacks_room_ = fresh_.end_after(n_fresh_cells()) > mesh_.cells.size();
+  if (is_within && !lacks_room_)
+    fill_cavity(v);
+  else
     forget_cavity();
-    return false;
-  }
-  fill_cavity(v);
-  return true;
+  return is_within && !lacks_room_;
 }
 
 // ---- Location ----
@@ -448,9 +455,9 @@ void BowyerWatson3::link_large_star() {
 
 // ---- End ----
 
-void BowyerWatson3::give_back(std::size_t end) {
+void BowyerWatson3::remove_unused(std::size_t end) {
   while (fresh_.end_after(1) <= end)
-    Mesh3::remove(cells_[index(fresh_.take())]);
+    Mesh3::remove(mesh_.cells[index(fresh_.take())]);
 }
 
 }  // namespace delaunay

@@ -10,12 +10,13 @@ constexpr std::size_t kMaxCells = std::size_t{1} << 30U;
 
 }  // namespace
 
-Mesh3::Mesh3(std::span<const Point3> points) : sites(points.size()) {
+Mesh3::Mesh3(std::span<const Point3> points, unsigned n_inserters)
+    : sites(points.size()) {
   for (std::size_t i = 0; i < points.size(); ++i)
     sites[i].at = {points[i][0], points[i][1], points[i][2]};
   // Uniform points make 6.8 cells each, scanned surfaces 6 to 9. Memory that
   // is never touched costs nothing.
-  make_room(points.size() * 7 + 64);
+  make_room(points.size() * 7 + n_inserters * FreshCells::kBlock);
 }
 
 void Mesh3::make_room(std::size_t n) {
@@ -23,6 +24,16 @@ void Mesh3::make_room(std::size_t n) {
   if (n > kMaxCells)
     throw std::length_error("Delaunay triangulation has over 2^30 cells");
   cells.resize(std::min(std::max(n, 2 * cells.size()), kMaxCells));
+}
+
+std::vector<VertexId> Part::select(std::span<const VertexId> vertices) const {
+  const auto low = std::ranges::lower_bound(vertices, VertexId{low_});
+  const auto high =
+      std::ranges::lower_bound(low, vertices.end(), VertexId{low_ + size_});
+  if (!is_outside_) return {low, high};
+  std::vector<VertexId> result(high, vertices.end());
+  result.insert(result.end(), vertices.begin(), low);
+  return result;
 }
 
 void Mesh3::link(Facet a, Facet b) {

@@ -2,10 +2,10 @@
 /// A 3D triangulation under construction: what its inserters share.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -25,7 +25,8 @@ struct Mesh3 {
 
   /// @param points  distinct; quickest if their coordinates fill [-1, 1], for
   ///   spheres far larger or smaller are not cached
-  explicit Mesh3(std::span<const Point3> points);
+  /// @param n_inserters  how many will work on it
+  explicit Mesh3(std::span<const Point3> points, unsigned n_inserters = 1);
 
   /// Makes room for n cells at least.
   /// @throws std::length_error  their numbers would not fit 30 bits
@@ -49,31 +50,31 @@ struct Mesh3 {
   std::size_t gather(std::size_t first, Keep keep);
 };
 
-/// Vertices whose cells one inserter may change: an interval of ids, or all
-/// but an interval.
+/// Vertices whose cells one inserter may change: an interval of the ids, which
+/// follow a Hilbert curve, or all but an interval, joined over the curve's
+/// ends.
 class Part {
  public:
-  static Part inside(std::uint32_t begin, std::uint32_t end) {
-    return {begin, end - begin, false};
-  }
-  static Part outside(std::uint32_t begin, std::uint32_t end) {
-    return {begin, end - begin, true};
-  }
+  /// From `begin` up to `end`, over the last and the first id if it is not
+  /// above `begin`.
+  Part(std::uint32_t begin, std::uint32_t end)
+      : low_(std::min(begin, end)),
+        size_(std::max(begin, end) - low_),
+        is_outside_(end <= begin) {}
 
   bool holds(VertexId v) const {
-    return (static_cast<std::uint32_t>(v) - begin_ < size_) != is_outside_;
+    return (static_cast<std::uint32_t>(v) - low_ < size_) != is_outside_;
   }
   /// Whether all finite corners are in the part.
   bool holds(const Cell& c) const {
     return holds(c.vertex[0]) && holds(c.vertex[1]) && holds(c.vertex[2]) &&
            (c.is_infinite() || holds(c.vertex[3]));
   }
+  /// Those it holds of some in ascending order; in the order of the part.
+  std::vector<VertexId> select(std::span<const VertexId> vertices) const;
 
  private:
-  Part(std::uint32_t begin, std::uint32_t size, bool is_outside)
-      : begin_(begin), size_(size), is_outside_(is_outside) {}
-
-  std::uint32_t begin_, size_;
+  std::uint32_t low_, size_;
   bool is_outside_;
 };
 
@@ -82,6 +83,8 @@ class Part {
 /// alone, and all together leave few gaps.
 class FreshCells {
  public:
+  static constexpr std::size_t kBlock = 1024;
+
   FreshCells(unsigned number, unsigned n_inserters)
       : next_(number * kBlock),
         block_end_(next_ + kBlock),
@@ -104,13 +107,13 @@ class FreshCells {
   }
 
  private:
-  static constexpr std::size_t kBlock = 1024;
   void next_block() {
     next_ += skip_;
     block_end_ = next_ + kBlock;
   }
 
-  std::size_t next_, block_end_, skip_;
+  std::size_t next_, block_end_;
+  std::size_t skip_;  // from the end of a block to the next
 };
 
 }  // namespace delaunay
