@@ -19,27 +19,13 @@
 #include <stdexcept>
 
 #include "delaunay/bowyer_watson3_internal.h"
+#include "delaunay/cavity_search_internal.h"
 #include "predicates/predicates.h"
 
 namespace delaunay {
 namespace {
 
 constexpr float kNever = std::numeric_limits<float>::infinity();
-
-// Marks of the insertion under way.
-bool is_in_cavity(const Cell& c) { return std::signbit(c.inside2); }
-bool is_next_to_cavity(const Cell& c) { return std::signbit(c.outside2); }
-void mark_in_cavity(Cell& c) { c.inside2 = -c.inside2; }
-void unmark_in_cavity(Cell& c) { c.inside2 = -c.inside2; }
-void mark_next_to_cavity(Cell& c) { c.outside2 = -std::abs(c.outside2); }
-void unmark_next_to_cavity(Cell& c) { c.outside2 = std::abs(c.outside2); }
-
-double squared_distance(const Cell& cell, const double* p) {
-  const double x = p[0] - cell.center[0];
-  const double y = p[1] - cell.center[1];
-  const double z = p[2] - cell.center[2];
-  return x * x + y * y + z * z;
-}
 
 /// What an inserter without company may change.
 struct Everything {
@@ -104,6 +90,8 @@ BowyerWatson3::BowyerWatson3(Mesh3& mesh, unsigned number, unsigned n_inserters)
       sites_(mesh.sites.data()),
       cells_(mesh.cells.data()),
       fresh_(number, n_inserters),
+      cavity_(64),
+      boundary_(64),
       link_table_(kLinkTableSide * kLinkTableSide) {}
 
 void BowyerWatson3::start(const std::array<VertexId, 4>& first) {
@@ -233,6 +221,13 @@ CellId BowyerWatson3::locate(CellId start, const double* p) const {
 
 // ---- Cavity ----
 
+void BowyerWatson3::prefetch_around(Facet entry) {
+  const Cell& cell = cells_[index(entry.cell())];
+  for (const Facet f : cell.neighbor)
+    __builtin_prefetch(&cells_[index(f.cell())]);
+  __builtin_prefetch(&site(cell.vertex[entry.index()]));
+}
+
 bool BowyerWatson3::in_conflict(const Cell& cell, const double* p) const {
   const double d2 = squared_distance(cell, p);
   if (d2 < cell.inside2) return true;
@@ -255,43 +250,51 @@ bool BowyerWatson3::in_conflict_exact(const Cell& cell, const double* p) const {
              at(inner.vertex[3]), p) > 0;
 }
 
-// Ends with false, and marks in place, where the cavity leaves the region.
+void BowyerWatson3::lengthen_lists() {
+  cavity_.resize(2 * cavity_.size());
+  boundary_.resize(2 * boundary_.size());
+}
+
+// Breadth first, through all facets of each cell but the one it was entered
+// by. Ends with false, and marks in place, where the cavity leaves the region.
 template <class Region>
 bool BowyerWatson3::find_cavity(CellId seed, const double* p,
                                 const Region& region) {
-  cavity_.clear();
-  boundary_.clear();
-  const auto take = [this](CellId c, Cell& cell) {
-    mark_in_cavity(cell);
-    cavity_.push_back(c);
-    for (const Facet f : cell.neighbor)
-      __builtin_prefetch(&cells_[index(f.cell())]);
-  };
-  take(seed, cells_[index(seed)]);
-  for (std::size_t k = 0; k < cavity_.size(); ++k) {
-    if (!region.holds(cells_[index(cavity_[k])])) return false;
-    const auto neighbor = cells_[index(cavity_[k])].neighbor;
-    for (const Facet f : neighbor) {
-      Cell& cell = cells_[index(f.cell())];
-      if (is_in_cavity(cell)) continue;
-      if (!is_next_to_cavity(cell)) {
-        if (in_conflict(cell, p)) {
-          __builtin_prefetch(&site(cell.vertex[f.index()]));
-          take(f.cell(), cell);
-          continue;
-        }
-        mark_next_to_cavity(cell);
-      }
-      boundary_.push_back(f);
+  CavitySearch search{.cells = cells_,
+                      .cavity = cavity_.data(),
+                      .boundary = boundary_.data(),
+                      .p = {p[0], p[1], p[2]}};
+  search.add(Facet(seed, 0), true);
+  std::size_t k = 0;
+  for (; k < search.n_cavity; ++k) {
+    if (search.needed_room() > cavity_.size()) [[unlikely]] {
+      lengthen_lists();
+      search.cavity = cavity_.data();
+      search.boundary = boundary_.data();
     }
+    prefetch_around(search.ahead(k));
+    const Facet entry = search.cavity[k];
+    const Cell& cell = cells_[index(entry.cell())];
+    if (!region.holds(cell)) break;
+    const auto neighbor = cell.neighbor;
+    std::uint32_t undecided = 0;
+    if (k == 0) undecided = search.look(neighbor[0]);
+    for (unsigned i = 1; i < 4; ++i)
+      undecided |= search.look(neighbor[(entry.index() + i) % 4]);
+    if (undecided == 0) [[likely]]
+      continue;
+    for (const Facet f : neighbor)
+      if (!search.has_seen(f))
+        search.add(f, in_conflict_exact(cells_[index(f.cell())], p));
   }
-  return true;
+  n_cavity_ = search.n_cavity;
+  n_boundary_ = search.n_boundary;
+  return k == search.n_cavity;
 }
 
 void BowyerWatson3::forget_cavity() {
-  for (const CellId c : cavity_) unmark_in_cavity(cells_[index(c)]);
-  for (const Facet f : boundary_)
-    unmark_next_to_cavity(cells_[index(f.cell())]);
+  for (const Facet f : cavity()) unmark(cells_[index(f.cell())].inside2);
+  for (const Facet f : boundary()) unmark(cells_[index(f.cell())].outside2);
 }
 
 // ---- Star ----
@@ -322,26 +325,26 @@ inline std::uint32_t BowyerWatson3::rim_position(VertexId v, VertexId apex) {
 
 /// How many cells the star needs that were never used.
 std::size_t BowyerWatson3::n_fresh_cells() const {
-  const std::size_t n_known = cavity_.size() + free_.size();
-  return boundary_.size() - std::min(boundary_.size(), n_known);
+  const std::size_t n_known = n_cavity_ + free_.size();
+  return n_boundary_ - std::min(n_boundary_, n_known);
 }
 
 // The cells of the star: first those of the cavity, then freed ones, then new
 // ones. After this nothing is allocated until the star is complete.
 void BowyerWatson3::allocate_star() {
-  const std::size_t n = boundary_.size();
+  const std::size_t n = n_boundary_;
   star_.resize(n);
-  const std::size_t n_reused = std::min(n, cavity_.size());
-  std::copy_n(cavity_.begin(), n_reused, star_.begin());
-  std::size_t k = n_reused;
+  const std::size_t n_reused = std::min(n, n_cavity_);
+  std::size_t k = 0;
+  for (; k < n_reused; ++k) star_[k] = cavity_[k].cell();
   for (; k < n && !free_.empty(); ++k) {
     star_[k] = free_.back();
     free_.pop_back();
   }
   for (; k < n; ++k) star_[k] = fresh_.take();
-  for (k = n_reused; k < cavity_.size(); ++k) {
-    Mesh3::remove(cells_[index(cavity_[k])]);
-    free_.push_back(cavity_[k]);
+  for (k = n_reused; k < n_cavity_; ++k) {
+    Mesh3::remove(cells_[index(cavity_[k].cell())]);
+    free_.push_back(cavity_[k].cell());
   }
   // The rim is a triangulated sphere: n facets have n / 2 + 2 corners.
   if (rim_.size() < n / 2 + 2) rim_.resize(n + 2);
@@ -359,7 +362,7 @@ inline void BowyerWatson3::make_star_cell(std::size_t k, VertexId apex) {
   const double* p = at(apex);
   const Facet outside = boundary_[k];
   Cell& outer = cells_[index(outside.cell())];
-  unmark_next_to_cavity(outer);
+  unmark(outer.outside2);
   const auto& corner = kFacetCorners[outside.index()];
   std::array<VertexId, 3> v = {outer.vertex[corner[0]], outer.vertex[corner[1]],
                                outer.vertex[corner[2]]};
@@ -388,7 +391,7 @@ inline void BowyerWatson3::make_star_cell(std::size_t k, VertexId apex) {
 void BowyerWatson3::fill_cavity(VertexId apex) {
   allocate_star();
   n_rim_ = 0;
-  std::size_t n = boundary_.size();
+  std::size_t n = n_boundary_;
   for (std::size_t k = 0; k < n; ++k) make_star_cell(k, apex);
   if (n_rim_ <= kLinkTableSide)
     link_star();
@@ -408,7 +411,7 @@ Facet BowyerWatson3::star_facet(std::size_t k, unsigned corner) const {
 void BowyerWatson3::link_star() {
   constexpr std::size_t kSide = kLinkTableSide;
   Facet* const opposite = link_table_.data();
-  const std::size_t n = boundary_.size();
+  const std::size_t n = n_boundary_;
   for (std::size_t k = 0; k < n; ++k) {
     const auto [a, b, c] = facets_[k].corner;
     opposite[a * kSide + b] = star_facet(k, 2);
@@ -431,8 +434,8 @@ void BowyerWatson3::link_large_star() {
     Facet opposite;
   };
   std::vector<Edge> edges;
-  edges.reserve(3 * boundary_.size());
-  for (std::size_t k = 0; k < boundary_.size(); ++k)
+  edges.reserve(3 * n_boundary_);
+  for (std::size_t k = 0; k < n_boundary_; ++k)
     for (unsigned i = 0; i < 3; ++i) {
       const std::uint64_t a = facets_[k].corner[(i + 1) % 3];
       const std::uint64_t b = facets_[k].corner[(i + 2) % 3];

@@ -76,7 +76,13 @@ class BowyerWatson3 {
   bool in_conflict_exact(const Cell& cell, const double* p) const;
   template <class Region>
   bool find_cavity(CellId seed, const double* p, const Region& region);
+  void prefetch_around(Facet entry);
+  void lengthen_lists();
   void forget_cavity();
+  std::span<const Facet> cavity() const { return {cavity_.data(), n_cavity_}; }
+  std::span<const Facet> boundary() const {
+    return {boundary_.data(), n_boundary_};
+  }
 
   std::size_t n_fresh_cells() const;
   void fill_cavity(VertexId apex);
@@ -105,8 +111,10 @@ class BowyerWatson3 {
 
   // Of the insertion under way; kept to reuse their memory. Rim facet k is
   // boundary_[k] seen from the cavity, and star_[k] the new cell on it.
-  std::vector<CellId> cavity_;
-  std::vector<Facet> boundary_;
+  std::vector<Facet> cavity_;    // each cell through the facet of its entry
+  std::vector<Facet> boundary_;  // of equal length, which grows
+  std::size_t n_cavity_ = 0;     // so many are in use
+  std::size_t n_boundary_ = 0;
   std::vector<CellId> star_;
   std::vector<RimFacet> facets_;
   std::vector<RimVertex> rim_;
