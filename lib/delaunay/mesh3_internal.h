@@ -15,12 +15,12 @@
 namespace delaunay {
 
 struct Mesh3 {
-  /// A vertex, and its place on the rim of the cavity that the vertex
-  /// `rim_of` was inserted into, in half a cache line.
+  /// A vertex, and its place on the rim of a cavity in the lower half of
+  /// `rim_place`; in the upper half, which vertex was inserted there. Half a
+  /// cache line.
   struct alignas(32) Site {
     std::array<double, 3> at;
-    VertexId rim_of = kInfinite;
-    std::uint32_t rim_position = 0;
+    std::uint64_t rim_place = ~std::uint64_t{0};
   };
 
   /// @param points  distinct; quickest if their coordinates fill [-1, 1], for
