@@ -152,23 +152,6 @@ void break_ties(std::vector<RankedTriangle>& triangles,
   breaker.apply();
 }
 
-std::vector<delaunay::Facet> facets(
-    const delaunay::Triangulation3& triangulation) {
-  const std::size_t n_cells = triangulation.n_finite_cells();
-  std::vector<delaunay::Facet> result(4 * n_cells);
-  std::size_t n = 0;
-  for (std::uint32_t i = 0; i < n_cells; ++i) {
-    const delaunay::CellId c{i};
-    for (unsigned k = 0; k < 4; ++k) {
-      // Written always and kept or not: which it is, no processor can guess.
-      result[n] = delaunay::Facet(c, k);
-      n += c < triangulation.cell(c).neighbor[k].cell() ? 1 : 0;
-    }
-  }
-  result.resize(n);
-  return result;
-}
-
 std::vector<std::uint32_t> near_ties(
     std::span<const RankedTriangle> triangles) {
   // A primary of zero is exact, and only the secondary is in doubt.

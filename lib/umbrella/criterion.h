@@ -12,6 +12,7 @@
 ///   const auto ranked = ranked_triangles(triangulation, ShortestFirst{});
 #pragma once
 
+#include <array>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -23,6 +24,7 @@
 #include "umbrella/circumspheres.h"
 #include "umbrella/delaunay_triangle.h"
 #include "umbrella/exact_ratio.h"
+#include "umbrella/facets.h"
 #include "umbrella/triangle.h"
 
 namespace umbrella {
@@ -54,8 +56,7 @@ inline constexpr double kNearTie = 0x1p-28;
 struct PaperCriterion {
   bool admissible(const DelaunayTriangle& t) const { return t.is_gabriel(); }
   Rank rank(const DelaunayTriangle& t) const {
-    const double r2 = t.squared_circumradius();
-    return {t.squared_lambda_lower(r2), r2};
+    return {t.squared_lambda_lower(), t.squared_circumradius()};
   }
   Rank nearest_rank(const DelaunayTriangle& t) const {
     return {t.exact_squared_lambda_lower(), t.exact_squared_circumradius()};
@@ -83,8 +84,7 @@ void sort_by_corners(std::vector<RankedTriangle>& triangles);
 struct CircumradiusCriterion {
   bool admissible(const DelaunayTriangle& t) const { return t.is_gabriel(); }
   Rank rank(const DelaunayTriangle& t) const {
-    const double r2 = t.squared_circumradius();
-    return {r2, t.squared_lambda_lower(r2)};
+    return {t.squared_circumradius(), t.squared_lambda_lower()};
   }
   Rank nearest_rank(const DelaunayTriangle& t) const {
     return {t.exact_squared_circumradius(), t.exact_squared_lambda_lower()};
@@ -94,28 +94,33 @@ struct CircumradiusCriterion {
   }
 };
 
-/// Each triangle of the triangulation once, as the facet it is in the cell with
-/// the smaller id.
-std::vector<delaunay::Facet> facets(
-    const delaunay::Triangulation3& triangulation);
-
 /// All triangles of the triangulation that the criterion admits, by ascending
 /// corners. Depends on the set of points alone if the criterion does.
 template <Criterion C = PaperCriterion>
 std::vector<RankedTriangle> ranked_triangles(
     const delaunay::Triangulation3& triangulation, const Circumspheres& spheres,
     const C& criterion = {}) {
+  const auto triangle = [&](delaunay::Facet facet) {
+    return DelaunayTriangle(triangulation, spheres, facet);
+  };
   std::vector<RankedTriangle> triangles;
   triangles.reserve(triangulation.n_finite_cells() / 2);
-  for (const delaunay::Facet facet : facets(triangulation)) {
-    const DelaunayTriangle t(triangulation, spheres, facet);
-    if (criterion.admissible(t))
-      triangles.push_back({t.corners(), facet, criterion.rank(t)});
+  FacetBlocks blocks(triangulation);
+  std::array<FacetRadii, FacetBlocks::kLargest> radii;
+  for (auto block = blocks.next(); !block.empty(); block = blocks.next()) {
+    std::size_t n = 0;
+    for (const delaunay::Facet facet : block) {
+      // Written always and kept or not: which it is, no processor can guess.
+      block[n] = facet;
+      n += static_cast<std::size_t>(criterion.admissible(triangle(facet)));
+    }
+    spheres.measure(block.first(n), std::span(radii).first(n));
+    for (std::size_t i = 0; i < n; ++i) {
+      const DelaunayTriangle t(triangulation, spheres, block[i], &radii[i]);
+      triangles.push_back({t.corners(), block[i], criterion.rank(t)});
+    }
   }
   if constexpr (ExactCriterion<C>) {
-    const auto triangle = [&](delaunay::Facet facet) {
-      return DelaunayTriangle(triangulation, spheres, facet);
-    };
     std::vector<std::uint32_t> ties = near_ties(triangles);
     for (const std::uint32_t i : ties)
       triangles[i].rank = criterion.nearest_rank(triangle(triangles[i].facet));

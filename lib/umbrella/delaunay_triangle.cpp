@@ -17,7 +17,7 @@ bool DelaunayTriangle::on_hull() const {
 
 LambdaInterval DelaunayTriangle::lambda() const {
   const double r2 = squared_circumradius();
-  const double lower = std::sqrt(squared_lambda_lower(r2));
+  const double lower = std::sqrt(squared_lambda_lower());
   if (is_gabriel()) return {lower, 1};
   const double smallest = std::min(spheres_->squared_radius(facet_.cell()),
                                    spheres_->squared_radius(opposite().cell()));
@@ -26,13 +26,6 @@ LambdaInterval DelaunayTriangle::lambda() const {
                             : std::max(exact_squared_lambda(facet_),
                                        exact_squared_lambda(opposite()));
   return {lower, std::min(std::sqrt(upper2), 1.0)};
-}
-
-double DelaunayTriangle::squared_circumradius() const {
-  const auto [a, b, c] = corners();
-  return umbrella::squared_circumradius(
-      triangulation_->point(a), triangulation_->point(b),
-      triangulation_->point(c), spheres_->scale());
 }
 
 double DelaunayTriangle::exact_squared_lambda_lower() const {
