@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 #include <span>
 
 #include "delaunay/triangulation3.h"
@@ -38,6 +39,20 @@ class Circumspheres {
     FacetRadii radii{};
     measure({&f, 1}, {&radii, 1});
     return radii;
+  }
+
+  /// The side of a facet within the hull whose cell certainly has the larger
+  /// sphere, by a 2^-22 part at least; none where the cached spheres are too
+  /// near each other to tell.
+  std::optional<delaunay::Facet> larger_side(delaunay::Facet f) const {
+    // Squared radii lie within a 2^-22 part of what is cached.
+    constexpr double kGap = 1 + 0x1p-20;
+    const delaunay::Cell& here = triangulation_->cell(f.cell());
+    const delaunay::Facet beyond = here.neighbor[f.index()];
+    const delaunay::Cell& there = triangulation_->cell(beyond.cell());
+    if (here.inside2 > kGap * there.outside2) return f;
+    if (there.inside2 > kGap * here.outside2) return beyond;
+    return std::nullopt;
   }
 
   /// Whether the facet's open diametral ball holds no sample point: it holds

@@ -23,6 +23,7 @@
 
 #include "umbrella/circumspheres.h"
 #include "umbrella/delaunay_triangle.h"
+#include "umbrella/exact_order.h"
 #include "umbrella/exact_ratio.h"
 #include "umbrella/facets.h"
 #include "umbrella/triangle.h"
@@ -35,20 +36,14 @@ concept Criterion = requires(const C& c, const DelaunayTriangle& t) {
   { c.rank(t) } -> std::convertible_to<Rank>;
 };
 
-/// A criterion whose rank() is good to a part of kNearTie only, and which can
-/// say it exactly. Triangles whose ranks differ by less are asked for
-/// nearest_rank(), rounded once, and where that is the same for
-/// exact_rank(): so the order is the one of exact_rank(). Ranks must not be
-/// negative, and a primary of zero must be exact.
+/// A criterion whose rank() is good to a part of kNearTie / 2 only, and which
+/// can say it exactly: the order is then the one of exact_rank(). Ranks must
+/// not be negative, and a primary of zero must be exact.
 template <class C>
 concept ExactCriterion = Criterion<C> &&
     requires(const C& c, const DelaunayTriangle& t) {
-  { c.nearest_rank(t) } -> std::convertible_to<Rank>;
   { c.exact_rank(t) } -> std::convertible_to<ExactRank>;
 };
-
-/// Twice what rank() of an ExactCriterion may be off by, relatively.
-inline constexpr double kNearTie = 0x1p-28;
 
 /// The paper's: Gabriel triangles, by the lower bound of the lambda-interval.
 /// All hull triangles tie at 0 there; the smaller circumradius then goes
@@ -65,18 +60,6 @@ struct PaperCriterion {
     return {t.squared_lambda_lower_ratio(), t.squared_circumradius_ratio()};
   }
 };
-
-/// Positions of the triangles whose ranks are too close to another's to trust.
-std::vector<std::uint32_t> near_ties(std::span<const RankedTriangle> triangles);
-
-/// Orders triangles whose ranks are equal, or may be for their primaries
-/// are, as `exact` does: their secondary ranks become consecutive numbers,
-/// the same for the same exact rank.
-///
-/// @param ties  near_ties(triangles), with the ranks there rounded once
-void break_ties(std::vector<RankedTriangle>& triangles,
-                std::vector<std::uint32_t> ties,
-                const std::function<ExactRank(delaunay::Facet)>& exact);
 
 void sort_by_corners(std::vector<RankedTriangle>& triangles);
 
@@ -120,14 +103,10 @@ std::vector<RankedTriangle> ranked_triangles(
       triangles.push_back({t.corners(), block[i], criterion.rank(t)});
     }
   }
-  if constexpr (ExactCriterion<C>) {
-    std::vector<std::uint32_t> ties = near_ties(triangles);
-    for (const std::uint32_t i : ties)
-      triangles[i].rank = criterion.nearest_rank(triangle(triangles[i].facet));
-    break_ties(triangles, std::move(ties), [&](delaunay::Facet facet) {
+  if constexpr (ExactCriterion<C>)
+    order_exactly(triangles, [&](delaunay::Facet facet) {
       return criterion.exact_rank(triangle(facet));
     });
-  }
   sort_by_corners(triangles);
   return triangles;
 }

@@ -49,6 +49,8 @@ double DelaunayTriangle::exact_squared_lambda(delaunay::Facet side) const {
 
 ExactRatio DelaunayTriangle::squared_lambda_lower_ratio() const {
   if (on_hull()) return {};
+  if (const auto side = spheres_->larger_side(facet_))
+    return squared_lambda_ratio(corners_of(*side));
   const ExactRatio here = squared_lambda_ratio(corners_of(facet_));
   const ExactRatio there = squared_lambda_ratio(corners_of(opposite()));
   return compare(here, there) <= 0 ? here : there;
