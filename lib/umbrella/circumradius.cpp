@@ -208,11 +208,6 @@ double squared_circumradius(const std::array<Point3, 4>& abcd, double scale) {
   return fat ? r.numerator / (4 * r.denominator) : refined(abcd, scale);
 }
 
-double refined_squared_circumradius(const std::array<Point3, 4>& corners,
-                                    double scale) {
-  return refined(corners, scale);
-}
-
 double exact_squared_circumradius(const std::array<Point3, 3>& abc,
                                   double scale) {
   if (const auto small = SmallDifferences<3>::of(abc)) {

@@ -92,9 +92,6 @@ double squared_circumradius(const delaunay::Point3& a,
                             const delaunay::Point3& c, double scale);
 double squared_circumradius(const std::array<delaunay::Point3, 4>& abcd,
                             double scale);
-/// The same where doubles alone do not give it, as kFat and kTiny tell.
-double refined_squared_circumradius(
-    const std::array<delaunay::Point3, 4>& corners, double scale);
 
 /// Each is the double nearest to the exact value for the given coordinates,
 /// which may be any finite doubles; equal values give equal doubles.

@@ -18,7 +18,7 @@ bool DelaunayTriangle::on_hull() const {
 
 LambdaInterval DelaunayTriangle::lambda() const {
   const double r2 = squared_circumradius();
-  const double lower = std::sqrt(squared_lambda_lower(r2));
+  const double lower = std::sqrt(squared_lambda_lower());
   if (is_gabriel()) return {lower, 1};
   const double smallest = std::min(spheres_->squared_radius(facet_.cell()),
                                    spheres_->squared_radius(opposite().cell()));
@@ -53,13 +53,6 @@ std::array<double, 2> DelaunayTriangle::exact_squared_cell_radii() const {
   return {of(facet_), of(opposite())};
 }
 
-double DelaunayTriangle::squared_circumradius() const {
-  const auto [a, b, c] = corners();
-  return umbrella::squared_circumradius(
-      triangulation_->point(a), triangulation_->point(b),
-      triangulation_->point(c), spheres_->scale());
-}
-
 double DelaunayTriangle::squared_area() const {
   const auto [a, b, c] = points();
   const auto n = cross(scaled_difference(b, a, spheres_->scale()),
@@ -88,6 +81,8 @@ double DelaunayTriangle::exact_squared_lambda(delaunay::Facet side) const {
 
 ExactRatio DelaunayTriangle::squared_lambda_lower_ratio() const {
   if (on_hull()) return {};
+  if (const auto side = spheres_->larger_side(facet_))
+    return squared_lambda_ratio(corners_of(*side));
   const ExactRatio here = squared_lambda_ratio(corners_of(facet_));
   const ExactRatio there = squared_lambda_ratio(corners_of(opposite()));
   return compare(here, there) <= 0 ? here : there;

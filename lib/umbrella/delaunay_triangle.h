@@ -13,14 +13,19 @@
 
 namespace umbrella {
 
-/// A view of three words: every answer is computed when it is asked for. Both
-/// objects it looks at must outlive it. Answers depend on the set of points
+/// A view: every answer is computed when it is asked for. The objects it looks
+/// at must outlive it. Answers depend on the set of points
 /// alone, not on how cells are numbered or which cell the facet is seen from.
 class DelaunayTriangle {
  public:
+  /// @param radii  spheres.measure(facet), of who has measured many at once
   DelaunayTriangle(const delaunay::Triangulation3& triangulation,
-                   const Circumspheres& spheres, delaunay::Facet facet)
-      : triangulation_(&triangulation), spheres_(&spheres), facet_(facet) {}
+                   const Circumspheres& spheres, delaunay::Facet facet,
+                   const FacetRadii* radii = nullptr)
+      : triangulation_(&triangulation),
+        spheres_(&spheres),
+        radii_(radii),
+        facet_(facet) {}
 
   Triangle corners() const {
     const auto& vertex = triangulation_->cell(facet_.cell()).vertex;
@@ -51,27 +56,16 @@ class DelaunayTriangle {
   }
 
   /// No sample point lies in the open diametral ball; exact.
-  bool is_gabriel() const {
-    // Both are looked up at once: to wait for one would cost more.
-    const bool here = spheres_->apex_outside_diametral_ball(facet_);
-    const bool beyond = spheres_->apex_outside_diametral_ball(opposite());
-    return here && beyond;
-  }
+  bool is_gabriel() const { return spheres_->is_gabriel(facet_); }
 
   /// Relative error below 2^-30, and far less for triangles and cells that
   /// are not needles or slivers. See exact_...() for the last bit.
   LambdaInterval lambda() const;
   /// Square of the lower bound of lambda().
   double squared_lambda_lower() const {
-    return squared_lambda_lower(squared_circumradius());
-  }
-  /// The same for who knows squared_circumradius().
-  double squared_lambda_lower(double squared_circumradius) const {
-    const double largest =
-        std::max(spheres_->squared_radius(facet_.cell()),
-                 spheres_->squared_radius(opposite().cell()));
-    return is_safe_quotient(squared_circumradius, largest)
-               ? squared_circumradius / largest
+    const auto [triangle, larger_cell] = radii();
+    return is_safe_quotient(triangle, larger_cell)
+               ? triangle / larger_cell
                : exact_squared_lambda_lower();
   }
   /// Squares of lambda_1 and lambda_2 [Adamy02, Sec. 2], towards cells(): 0
@@ -85,7 +79,7 @@ class DelaunayTriangle {
   }
   /// In units of (1 / scale)^2, scale as in Circumspheres; so it ranks at
   /// any size.
-  double squared_circumradius() const;
+  double squared_circumradius() const { return radii().triangle; }
   /// In units of (1 / scale)^4.
   double squared_area() const;
 
@@ -107,6 +101,9 @@ class DelaunayTriangle {
   static bool is_safe_quotient(double r2, double R2) {
     return r2 >= 0x1p-960 && R2 <= 0x1p+960;
   }
+  FacetRadii radii() const {
+    return radii_ != nullptr ? *radii_ : spheres_->measure(facet_);
+  }
   double exact_squared_lambda(delaunay::Facet side) const;
   std::array<Point3, 4> corners_of(delaunay::Facet side) const;
   delaunay::Facet opposite() const {
@@ -115,6 +112,7 @@ class DelaunayTriangle {
 
   const delaunay::Triangulation3* triangulation_;
   const Circumspheres* spheres_;
+  const FacetRadii* radii_;
   delaunay::Facet facet_;
 };
 

@@ -165,12 +165,20 @@ std::vector<std::uint32_t> first_rows(const Triangulation3& triangulation) {
 void Pipeline::finish(const Triangulation3& triangulation,
                       const Circumspheres& spheres,
                       std::span<const LocatedTriangle> triangles) {
-  std::vector<Triangle> corners(triangles.size());
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
+  const std::size_t n = triangles.size();
+  std::vector<Triangle> corners(n);
+  std::vector<delaunay::Facet> facets(n);
+  for (std::size_t t = 0; t < n; ++t) {
     corners[t] = triangles[t].corners;
-    const DelaunayTriangle triangle(triangulation, spheres, triangles[t].facet);
-    result_.lambda.push_back(std::sqrt(triangle.squared_lambda_lower()));
+    facets[t] = triangles[t].facet;
   }
+  std::vector<FacetRadii> radii(n);
+  spheres.measure(facets, radii);
+  result_.lambda.resize(n);
+  for (std::size_t t = 0; t < n; ++t)
+    result_.lambda[t] =
+        std::sqrt(DelaunayTriangle(triangulation, spheres, facets[t], &radii[t])
+                      .squared_lambda_lower());
   const auto oriented = orient(triangulation.points(), corners);
 
   std::vector<IndexedTriangle> vertices(triangles.size());
