@@ -20,5 +20,6 @@ enum class ExitCode {
 void add_reconstruct(CLI::App& app, ExitCode& exit_code);
 void add_check(CLI::App& app, ExitCode& exit_code);
 void add_generate(CLI::App& app, ExitCode& exit_code);
+void add_solve(CLI::App& app, ExitCode& exit_code);
 
 }  // namespace command

@@ -44,6 +44,7 @@ ExitCode run(int argc, char** argv) {
   command::add_reconstruct(app, exit_code);
   command::add_check(app, exit_code);
   command::add_generate(app, exit_code);
+  command::add_solve(app, exit_code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& request) {  // help and version
