@@ -159,7 +159,7 @@ bool Closing::grow(Task& task) {
 
 /// Tries a region that holds task.region, and keeps what can be learned.
 bool Closing::attempt(Task& task, Region& region, bool accept_drops) {
-  if (task.effort.is_spent()) {
+  if (task.effort.is_spent() || solver_.is_stopped()) {
     task.last.outcome = Outcome::Undecided;
     return false;
   }

@@ -3,6 +3,7 @@
 /// region [Adamy02, Sec. 3.2].
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -40,6 +41,9 @@ struct ClosingOptions {
   /// Wall clock for all regions together; a limit that is hit makes the
   /// result depend on the machine.
   double seconds = std::numeric_limits<double>::infinity();
+  /// The closing ends soon after this becomes true; may be set by any thread or
+  /// by a signal handler. Regions open by then count as undecided.
+  const std::atomic<bool>* stop = nullptr;
   /// Closed pieces of at most max(piece_triangles, piece_part * 2 n) triangles
   /// are cut off as long as some other solution exists.
   std::size_t piece_triangles = 12;

@@ -267,6 +267,7 @@ ilp::Limits RegionSolver::limits(const Work& work) const {
   limits.conflicts = left.conflicts;
   limits.propagations = left.propagations;
   limits.seconds = std::max(0.0, options_.seconds - spent.count());
+  limits.stop = options_.stop;
   return limits;
 }
 

@@ -80,6 +80,7 @@ class RegionSolver {
   std::size_t n_candidates(const Region& region) {
     return neighborhoods_.candidates(region).size();
   }
+  bool is_stopped() const { return options_.stop != nullptr && *options_.stop; }
 
   Neighborhoods& neighborhoods() { return neighborhoods_; }
   std::uint64_t conflicts() const { return conflicts_; }
