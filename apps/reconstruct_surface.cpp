@@ -1,5 +1,6 @@
 #include <stdexcept>
 
+#include "apps/interrupt.h"
 #include "apps/outcome.h"
 #include "umbrella/methods.h"
 
@@ -27,6 +28,8 @@ umbrella::Reconstruction run(const io::PointSet& points, const Request& request,
   options.closing.mode = request.close;
   if (request.time_limit) options.closing.seconds = *request.time_limit;
   options.threads = request.threads;
+  const terminal::Interrupt interrupt;
+  options.closing.stop = &terminal::Interrupt::flag();
   options.progress = [&](std::string_view stage) { progress.show(stage); };
   return umbrella::reconstruct(points.points, options);
 }
@@ -69,7 +72,8 @@ Json stages_report(const Request& request,
                      {"undecided", c.undecided},
                      {"grown", c.grown},
                      {"dropped_points", result.dropped_rows},
-                     {"conflicts", c.conflicts}};
+                     {"conflicts", c.conflicts},
+                     {"interrupted", terminal::Interrupt::flag().load()}};
   return json;
 }
 

@@ -232,7 +232,8 @@ TEST(CloseHoles, SaysWhatItsEffortDidNotSuffice) {
   Input input(shapes::sample("torus", 800, {}));
   input.damage(25, 9);
   for (const ClosingOptions& options :
-       {ClosingOptions{.propagations = 0}, ClosingOptions{.propagations = 40},
+       {ClosingOptions{.propagations = 0, .propagations_per_variable = 0},
+        ClosingOptions{.propagations = 40, .propagations_per_variable = 0},
         ClosingOptions{.conflicts = 0, .propagations = 4000}}) {
     const ClosingResult result = input.close(options);
     const ClosingReport& report = result.report;
@@ -243,7 +244,9 @@ TEST(CloseHoles, SaysWhatItsEffortDidNotSuffice) {
               report.infeasible + report.undecided == 0);
     EXPECT_EQ(corners_of(input.close(options)), corners_of(result));
   }
-  EXPECT_FALSE(judged(input, input.close({.propagations = 0})).closed);
+  EXPECT_FALSE(judged(input, input.close({.propagations = 0,
+                                          .propagations_per_variable = 0}))
+                   .closed);
 }
 
 /// A cloud fits no surface: holes are large, and points may have to go.

@@ -13,10 +13,6 @@
 namespace umbrella {
 namespace {
 
-/// What making a program costs, in propagations: 6 us a variable where one
-/// propagation takes about 1 us (a region of 22000 vertices of a noisy scan).
-constexpr std::uint64_t kStepsPerVariable = 6;
-
 class Closing {
  public:
   Closing(const delaunay::Triangulation3& triangulation,
@@ -43,13 +39,19 @@ class Closing {
     std::vector<VertexId> stuck;   // of all contradictions met
     std::optional<Banned> banned;  // first attempt that closed small pieces
     std::size_t n_regions = 1;     // with those swallowed
+    Effort effort = {};
   };
 
   void solve_as_given(std::vector<Region> regions);
+  Effort effort_for(std::size_t n_variables) const {
+    return {options_.conflicts,
+            options_.propagations +
+                options_.propagations_per_variable * n_variables};
+  }
   void repair(Task task);
+  void find_stuck(Task& task);
   bool grow(Task& task);
-  bool attempt(Task& task, Region& region,
-               std::span<const VertexId> may_drop = {});
+  bool attempt(Task& task, Region& region, bool accept_drops);
   void note(Task& task, const Region& region) const;
   bool allow_pieces(Task& task);
   bool drop_points(Task& task);
@@ -97,14 +99,16 @@ void Closing::solve_as_given(std::vector<Region> regions) {
     for (const VertexId v : region.vertices) is_open_[index(v)] = true;
   }
   for (Region& region : regions) {
-    Attempt attempt = solver_.attempt(region);
+    Effort effort = effort_for(solver_.n_candidates(region));
+    Attempt attempt = solver_.attempt(region, effort);
     report.candidate_triangles += attempt.n_candidates;
     report.variables += attempt.n_variables;
     if (attempt.outcome == Outcome::Solved) {
       accept(attempt);
       ++report.feasible;
     } else {
-      tasks_.push_back({std::move(region), std::move(attempt), {}, {}, 1});
+      tasks_.push_back(
+          {std::move(region), std::move(attempt), {}, {}, 1, effort});
       note(tasks_.back(), tasks_.back().region);
     }
   }
@@ -112,6 +116,7 @@ void Closing::solve_as_given(std::vector<Region> regions) {
 
 void Closing::repair(Task task) {
   const Outcome as_given = task.last.outcome;
+  find_stuck(task);
   if (grow(task) || allow_pieces(task) || drop_points(task)) {
     result_.report.grown += task.n_regions;
     return;
@@ -119,6 +124,16 @@ void Closing::repair(Task task) {
   (as_given == Outcome::Infeasible ? result_.report.infeasible
                                    : result_.report.undecided) +=
       task.n_regions;
+}
+
+/// All contradictions of the region as it is, where the first attempt has met
+/// only one.
+void Closing::find_stuck(Task& task) {
+  if (task.last.outcome != Outcome::Infeasible) return;
+  const Attempt all = solver_.attempt(
+      task.region, task.effort,
+      {.may_drop = task.region.vertices, .accept_drops = false});
+  task.stuck = united(task.stuck, all.stuck);
 }
 
 /// Around what contradicts itself: all Delaunay triangles with two corners
@@ -135,7 +150,7 @@ bool Closing::grow(Task& task) {
       if (reach == 3)
         region.vertices =
             united(region.vertices, solver_.neighborhoods().ring(task.stuck));
-      if (attempt(task, region)) return true;
+      if (attempt(task, region, false)) return true;
       if (task.last.outcome == Outcome::Undecided) return false;
     }
   }
@@ -143,18 +158,17 @@ bool Closing::grow(Task& task) {
 }
 
 /// Tries a region that holds task.region, and keeps what can be learned.
-bool Closing::attempt(Task& task, Region& region,
-                      std::span<const VertexId> may_drop) {
-  if (solver_.is_spent()) {
+bool Closing::attempt(Task& task, Region& region, bool accept_drops) {
+  if (task.effort.is_spent() || solver_.is_stopped()) {
     task.last.outcome = Outcome::Undecided;
     return false;
   }
   swallow(task, region);
-  if (may_drop.empty() &&
-      solver_.n_candidates(region) == task.last.n_candidates)
+  if (!accept_drops && solver_.n_candidates(region) == task.last.n_candidates)
     return false;
-  task.last = solver_.attempt(region, may_drop);
-  solver_.charge(kStepsPerVariable * task.last.n_variables);
+  task.last = solver_.attempt(
+      region, task.effort,
+      {.may_drop = region.vertices, .accept_drops = accept_drops});
   if (task.last.outcome == Outcome::Solved) {
     accept(task.last);
     return true;
@@ -213,7 +227,7 @@ bool Closing::allow_pieces(Task& task) {
                                                            b.n_triangles
                                                      : a.vertices > b.vertices;
                                         }));
-    last = solver_.attempt(region, {}, allowed);
+    last = solver_.attempt(region, task.effort, {.allowed = allowed});
     is_current = true;
   }
   if (last.outcome != Outcome::Solved && last.outcome != Outcome::Banned)
@@ -222,20 +236,18 @@ bool Closing::allow_pieces(Task& task) {
   return true;
 }
 
-/// Lets vertices of the contradictions stay bare, in a region that grows around
-/// them; then all vertices of the region that no fixed triangle needs.
+/// Lets vertices stay bare that no fixed triangle needs, in a region that grows
+/// around the contradictions.
 bool Closing::drop_points(Task& task) {
-  constexpr int kRounds = 8, kStuckOnly = 4;
+  constexpr int kRounds = 4;
   if (!options_.drop_points) return false;
+  const Effort again = effort_for(task.last.n_variables);
   Region region = task.region;
   for (int round = 0; round < kRounds; ++round) {
-    const std::vector<VertexId> may_drop =
-        round < kStuckOnly ? task.stuck : region.vertices;
-    if (!may_drop.empty() && attempt(task, region, may_drop)) return true;
+    task.effort = again;
+    if (attempt(task, region, true)) return true;
     region.vertices =
         united(region.vertices, solver_.neighborhoods().ring(task.stuck));
-    if (task.last.outcome == Outcome::Undecided)
-      round = std::max(round, kStuckOnly - 1);
   }
   return false;
 }

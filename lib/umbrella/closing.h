@@ -32,10 +32,12 @@ enum class CloseWeight {
 struct ClosingOptions {
   CloseMode mode = CloseMode::Best;
   CloseWeight weight = CloseWeight::BallOverlap;
-  /// Effort for all programs together, the same on every run. Each may take
-  /// half of what is left, so that a hard region leaves some to the others.
-  std::uint64_t conflicts = 240'000;
-  std::uint64_t propagations = 8'000'000;
+  /// Effort for each region and all that it grows to: so many conflicts, and
+  /// so many propagations, with more for each variable of its program. The same
+  /// on every run. Each program may take half of what is left.
+  std::uint64_t conflicts = 60'000;
+  std::uint64_t propagations = 4'000'000;
+  std::uint64_t propagations_per_variable = 100;
   /// Wall clock for all regions together; a limit that is hit makes the
   /// result depend on the machine.
   double seconds = std::numeric_limits<double>::infinity();

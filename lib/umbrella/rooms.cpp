@@ -1,9 +1,8 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
-#include <numeric>
-#include <utility>
 
+#include "umbrella/parity_sets_internal.h"
 #include "umbrella/rooms_internal.h"
 
 namespace umbrella {
@@ -14,47 +13,6 @@ using delaunay::Facet;
 using delaunay::kFacetCorners;
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-
-/// Union-find whose members lie on one of two sides.
-class SidedSets {
- public:
-  struct Place {
-    std::uint32_t root;
-    bool is_opposite;  // to the root
-  };
-
-  explicit SidedSets(std::size_t n) : parent_(n), is_opposite_(n) {
-    std::iota(parent_.begin(), parent_.end(), std::uint32_t{0});
-  }
-
-  Place find(std::uint32_t i) {
-    Place place{i, false};
-    for (; parent_[place.root] != place.root; place.root = parent_[place.root])
-      place.is_opposite ^= is_opposite_[place.root];
-    for (bool side = place.is_opposite; parent_[i] != place.root;) {
-      const bool below = side;
-      side ^= is_opposite_[i];
-      is_opposite_[i] = below;
-      i = std::exchange(parent_[i], place.root);
-    }
-    return place;
-  }
-
-  /// @return false if the two are known to lie otherwise
-  bool unite(std::uint32_t a, std::uint32_t b, bool differ) {
-    const Place at_a = find(a), at_b = find(b);
-    const bool flip = at_a.is_opposite ^ at_b.is_opposite ^ differ;
-    if (at_a.root == at_b.root) return !flip;
-    const auto [low, high] = std::minmax(at_a.root, at_b.root);
-    parent_[high] = low;
-    is_opposite_[high] = flip;
-    return true;
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-  std::vector<bool> is_opposite_;  // to the parent
-};
 
 class Rooms {
  public:
@@ -81,7 +39,7 @@ class Rooms {
   const CellSet& cells_;
   const RegionTriangles& triangles_;
   std::vector<Kind> kind_;  // of facet i of the cell at position p: 4 p + i
-  SidedSets sides_;         // of cells by position, and of what is beyond
+  ParitySets sides_;        // of cells by position, and of what is beyond
 };
 
 void Rooms::mark(Facet facet, Kind kind) {
@@ -114,7 +72,7 @@ bool Rooms::join_known() {
       const Kind kind = kind_[4 * p + i];
       if (beyond < p || beyond == kNone || kind == Kind::Candidate) continue;
       if (kind == Kind::Absent && !is_known(cell, i)) continue;
-      if (!sides_.unite(p, beyond, kind == Kind::Fixed)) return false;
+      if (!sides_.relate(p, beyond, kind == Kind::Fixed ? 1 : 0)) return false;
     }
   }
   return true;
@@ -135,8 +93,8 @@ std::vector<ilp::Wall> Rooms::walls() {
     const Facet facet = triangles_.candidates[i].facet;
     const auto a = sides_.find(cells_.position(facet.cell()));
     const auto b = sides_.find(cells_.position(cells_.opposite(facet).cell()));
-    walls.push_back({ilp::VarId{i}, room(a.root), room(b.root),
-                     a.is_opposite != b.is_opposite});
+    walls.push_back(
+        {ilp::VarId{i}, room(a.root), room(b.root), a.parity != b.parity});
   }
   return walls;
 }
