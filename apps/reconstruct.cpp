@@ -55,6 +55,19 @@ io::PointSet read_all(const std::vector<std::string>& files) {
   return all;
 }
 
+// The vertices of a mesh, used or not, and its triangles.
+io::PointSet read_mesh(const std::string& file,
+                       std::vector<umbrella::IndexedTriangle>& faces) {
+  io::Mesh mesh = io::read_mesh(file);
+  if (mesh.triangles.empty())
+    throw std::invalid_argument(file + ": no triangles to repair");
+  io::PointSet points;
+  points.dimension = 3;
+  points.points = std::move(mesh.vertices);
+  faces = std::move(mesh.triangles);
+  return points;
+}
+
 std::uint64_t peak_memory_bytes() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -123,14 +136,18 @@ ExitCode reconstruct(const Options& options) {
   terminal::Progress progress(options.quiet);
   const StopWatch total;
   progress.show("read");
-  const io::PointSet points = read_all(request.files);
+  std::vector<umbrella::IndexedTriangle> faces;
+  const io::PointSet points = request.repairs
+                                  ? read_mesh(request.files.front(), faces)
+                                  : read_all(request.files);
   if (!options.out.empty())
     io::require_mesh_format(options.out, points.dimension);
   const double read_seconds = total.seconds();
 
-  const Outcome outcome = points.dimension == 2
-                              ? reconstruct_plane(points, request)
-                              : reconstruct_surface(points, request, progress);
+  const Outcome outcome =
+      points.dimension == 2
+          ? reconstruct_plane(points, request)
+          : reconstruct_surface(points, request, progress, faces);
 
   progress.show("write");
   const StopWatch writing;
@@ -162,12 +179,15 @@ std::string seconds_problem(const std::string& text) {
   return is_time ? "" : "Value " + text + " not in range 0 to 1e9";
 }
 
-void add_file_options(CLI::App& sub, Options& options) {
+void add_point_files(CLI::App& sub, Options& options) {
   sub.add_option("in", options.request.files,
                  "Point files (PLY, OFF, OBJ, STL, text), taken together; - is "
                  "standard input")
       ->required()
       ->type_name("IN");
+}
+
+void add_output_options(CLI::App& sub, Options& options) {
   sub.add_option(
          "-o,--output", options.out,
          "Mesh file: .ply (with lambda), .off, .obj, .stl; of a curve .ply, "
@@ -178,6 +198,21 @@ void add_file_options(CLI::App& sub, Options& options) {
                  "Counts, times and the certificate as JSON")
       ->check(path_problem)
       ->type_name("FILE");
+}
+
+void add_closing_options(CLI::App& sub, Request& request) {
+  sub.add_option("--close", request.close,
+                 "best: worst triangles last, no point left out if possible; "
+                 "paper: any solution of the paper's program [best]")
+      ->transform(
+          CLI::CheckedTransformer(std::map<std::string, umbrella::CloseMode>{
+              {"best", umbrella::CloseMode::Best},
+              {"paper", umbrella::CloseMode::Paper}}))
+      ->type_name("MODE");
+  sub.add_option("--time-limit", request.time_limit,
+                 "Seconds for closing; regions undecided by then stay open")
+      ->check(seconds_problem)
+      ->type_name("S");
 }
 
 void add_method_options(CLI::App& sub, Request& request) {
@@ -197,18 +232,7 @@ void add_method_options(CLI::App& sub, Request& request) {
          "What makes a triangle a good one: " + joined(criteria) + " [paper]")
       ->check(CLI::IsMember(criteria))
       ->type_name("NAME");
-  sub.add_option("--close", request.close,
-                 "best: worst triangles last, no point left out if possible; "
-                 "paper: any solution of the paper's program [best]")
-      ->transform(
-          CLI::CheckedTransformer(std::map<std::string, umbrella::CloseMode>{
-              {"best", umbrella::CloseMode::Best},
-              {"paper", umbrella::CloseMode::Paper}}))
-      ->type_name("MODE");
-  sub.add_option("--time-limit", request.time_limit,
-                 "Seconds for closing; regions undecided by then stay open")
-      ->check(seconds_problem)
-      ->type_name("S");
+  add_closing_options(sub, request);
 }
 
 void add_run_options(CLI::App& sub, Options& options) {
@@ -247,8 +271,33 @@ Examples:
   umbrella reconstruct scan.ply -o mesh.ply
   umbrella reconstruct a.xyz b.xyz -o mesh.stl --report mesh.json
   umbrella reconstruct scan.ply --stage filter -o filtered.ply)");
-  add_file_options(*sub, *options);
+  add_point_files(*sub, *options);
+  add_output_options(*sub, *options);
   add_method_options(*sub, options->request);
+  add_run_options(*sub, *options);
+  sub->callback([options, &exit_code] { exit_code = reconstruct(*options); });
+}
+
+void add_repair(CLI::App& app, ExitCode& exit_code) {
+  auto options = std::make_shared<Options>();
+  options->request.repairs = true;
+  CLI::App* const sub = app.add_subcommand(
+      "repair", "Close the surface of another tool, through all its vertices");
+  sub->footer(
+      R"(Triangles of the mesh that are Delaunay triangles of its vertices are kept,
+cleaned of what is not manifold, and closed. Exit codes and report are those of
+reconstruct.
+
+Examples:
+  umbrella repair scan.off -o closed.ply
+  umbrella repair torn.stl -o closed.stl --report closed.json)");
+  sub->add_option("mesh", options->request.files,
+                  "Mesh file (PLY, OFF, OBJ, STL); - is standard input")
+      ->required()
+      ->expected(1)
+      ->type_name("MESH");
+  add_output_options(*sub, *options);
+  add_closing_options(*sub, options->request);
   add_run_options(*sub, *options);
   sub->callback([options, &exit_code] { exit_code = reconstruct(*options); });
 }
