@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,7 @@ struct Request {
   umbrella::CloseMode close = umbrella::CloseMode::Best;
   std::optional<double> time_limit;  ///< seconds
   unsigned threads = 1;
+  bool repairs = false;              ///< the file is a mesh
 };
 
 struct Outcome {
@@ -37,9 +39,12 @@ struct Outcome {
   bool sound = false;   ///< closed and manifold, and no limit was hit
 };
 
+/// @param faces  of a mesh to be repaired, else none
 /// @throws std::invalid_argument  too few points, or all in one plane
-Outcome reconstruct_surface(const io::PointSet& points, const Request& request,
-                            terminal::Progress& progress);
+Outcome reconstruct_surface(
+    const io::PointSet& points, const Request& request,
+    terminal::Progress& progress,
+    std::span<const umbrella::IndexedTriangle> faces = {});
 
 /// @throws std::invalid_argument  too few points, all on one line, or an option
 ///   that the plane does not have

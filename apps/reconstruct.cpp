@@ -55,6 +55,19 @@ io::PointSet read_all(const std::vector<std::string>& files) {
   return all;
 }
 
+// The vertices of a mesh, used or not, and its triangles.
+io::PointSet read_mesh(const std::string& file,
+                       std::vector<umbrella::IndexedTriangle>& faces) {
+  io::Mesh mesh = io::read_mesh(file);
+  if (mesh.triangles.empty())
+    throw std::invalid_argument(file + ": no triangles to repair");
+  io::PointSet points;
+  points.dimension = 3;
+  points.points = std::move(mesh.vertices);
+  faces = std::move(mesh.triangles);
+  return points;
+}
+
 std::uint64_t peak_memory_bytes() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -127,14 +140,18 @@ ExitCode reconstruct(const Options& options) {
   terminal::Progress progress(options.quiet);
   const StopWatch total;
   progress.show("read");
-  const io::PointSet points = read_all(request.files);
+  std::vector<umbrella::IndexedTriangle> faces;
+  const io::PointSet points = request.repairs
+                                  ? read_mesh(request.files.front(), faces)
+                                  : read_all(request.files);
   if (!options.out.empty())
     io::require_mesh_format(options.out, points.dimension);
   const double read_seconds = total.seconds();
 
-  const Outcome outcome = points.dimension == 2
-                              ? reconstruct_plane(points, request)
-                              : reconstruct_surface(points, request, progress);
+  const Outcome outcome =
+      points.dimension == 2
+          ? reconstruct_plane(points, request)
+          : reconstruct_surface(points, request, progress, faces);
 
   progress.show("write");
   const StopWatch writing;
@@ -172,12 +189,15 @@ std::string seconds_problem(const std::string& text) {
   return is_time ? "" : "Value " + text + " not in range 0 to 1e9";
 }
 
-void add_file_options(CLI::App& sub, Options& options) {
+void add_point_files(CLI::App& sub, Options& options) {
   sub.add_option("in", options.request.files,
                  "Point files (PLY, OFF, OBJ, STL, text), taken together; - is "
                  "standard input")
       ->required()
       ->type_name("IN");
+}
+
+void add_output_options(CLI::App& sub, Options& options) {
   sub.add_option(
          "-o,--output", options.out,
          "Mesh file: .ply (with lambda), .off, .obj, .stl; of a curve .ply, "
@@ -190,15 +210,7 @@ void add_file_options(CLI::App& sub, Options& options) {
       ->type_name("FILE");
 }
 
-void add_method_options(CLI::App& sub, Request& request) {
-  sub.add_option("--stage", request.stage,
-                 "Stop after: filter, clean or closed [closed]")
-      ->transform(
-          CLI::CheckedTransformer(std::map<std::string, umbrella::Stage>{
-              {"filter", umbrella::Stage::Filter},
-              {"clean", umbrella::Stage::Clean},
-              {"closed", umbrella::Stage::Closed}}))
-      ->type_name("STAGE");
+void add_closing_options(CLI::App& sub, Request& request) {
   sub.add_option("--close", request.close,
                  "best: worst triangles last, no point left out if possible; "
                  "paper: any solution of the paper's program [best]")
@@ -211,6 +223,18 @@ void add_method_options(CLI::App& sub, Request& request) {
                  "Seconds for closing; regions undecided by then stay open")
       ->check(seconds_problem)
       ->type_name("S");
+}
+
+void add_method_options(CLI::App& sub, Request& request) {
+  sub.add_option("--stage", request.stage,
+                 "Stop after: filter, clean or closed [closed]")
+      ->transform(
+          CLI::CheckedTransformer(std::map<std::string, umbrella::Stage>{
+              {"filter", umbrella::Stage::Filter},
+              {"clean", umbrella::Stage::Clean},
+              {"closed", umbrella::Stage::Closed}}))
+      ->type_name("STAGE");
+  add_closing_options(sub, request);
 }
 
 std::string method_problem(const std::string& text) {
@@ -281,9 +305,34 @@ Examples:
   umbrella reconstruct scan.ply -o mesh.ply
   umbrella reconstruct a.xyz b.xyz -o mesh.stl --report mesh.json
   umbrella reconstruct scan.ply --stage filter -o filtered.ply)");
-  add_file_options(*sub, *options);
+  add_point_files(*sub, *options);
+  add_output_options(*sub, *options);
   add_method_options(*sub, options->request);
   add_experiment_options(*sub, options->request);
+  add_run_options(*sub, *options);
+  sub->callback([options, &exit_code] { exit_code = reconstruct(*options); });
+}
+
+void add_repair(CLI::App& app, ExitCode& exit_code) {
+  auto options = std::make_shared<Options>();
+  options->request.repairs = true;
+  CLI::App* const sub = app.add_subcommand(
+      "repair", "Close the surface of another tool, through all its vertices");
+  sub->footer(
+      R"(Triangles of the mesh that are Delaunay triangles of its vertices are kept,
+cleaned of what is not manifold, and closed. Exit codes and report are those of
+reconstruct.
+
+Examples:
+  umbrella repair scan.off -o closed.ply
+  umbrella repair torn.stl -o closed.stl --report closed.json)");
+  sub->add_option("mesh", options->request.files,
+                  "Mesh file (PLY, OFF, OBJ, STL); - is standard input")
+      ->required()
+      ->expected(1)
+      ->type_name("MESH");
+  add_output_options(*sub, *options);
+  add_closing_options(*sub, options->request);
   add_run_options(*sub, *options);
   sub->callback([options, &exit_code] { exit_code = reconstruct(*options); });
 }

@@ -18,7 +18,8 @@ void require_filter_options(const Request& request) {
 }
 
 umbrella::Reconstruction run(const io::PointSet& points, const Request& request,
-                             terminal::Progress& progress) {
+                             terminal::Progress& progress,
+                             std::span<const umbrella::IndexedTriangle> faces) {
   require_filter_options(request);
   umbrella::ReconstructOptions options;
   options.stage = request.stage;
@@ -26,6 +27,7 @@ umbrella::Reconstruction run(const io::PointSet& points, const Request& request,
   options.criterion = request.criterion;
   options.umbrella = umbrella::umbrella_choice(request.umbrella);
   options.closing.mode = request.close;
+  if (request.repairs) options.faces = faces;
   if (request.time_limit) options.closing.seconds = *request.time_limit;
   options.threads = request.threads;
   const terminal::Interrupt interrupt;
@@ -85,6 +87,14 @@ Json full_report(const Request& request,
                    {"points", n.points},
                    {"duplicates", n.duplicates},
                    {"dimension", 3}};
+  if (request.repairs) {
+    const umbrella::FaceCounts& f = result.faces;
+    json["repair"] = {{"faces", f.faces},
+                      {"degenerate", f.degenerate},
+                      {"duplicates", f.duplicates},
+                      {"not_delaunay", f.not_delaunay},
+                      {"kept", f.kept}};
+  }
   json.update(stages_report(request, result));
   json["surface"] = report::surface(result.surface, result.surface.vertices,
                                     result.surface.unused_vertices);
@@ -106,8 +116,9 @@ std::string state_of(const umbrella::SurfaceReport& surface) {
 }  // namespace
 
 Outcome reconstruct_surface(const io::PointSet& points, const Request& request,
-                            terminal::Progress& progress) {
-  umbrella::Reconstruction result = run(points, request, progress);
+                            terminal::Progress& progress,
+                            std::span<const umbrella::IndexedTriangle> faces) {
+  umbrella::Reconstruction result = run(points, request, progress, faces);
   require_space(request, result);
   Outcome outcome;
   const auto vertex = take_used_rows(points, result.triangles, outcome.mesh);

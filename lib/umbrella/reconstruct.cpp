@@ -4,6 +4,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <stdexcept>
@@ -56,6 +57,9 @@ class Pipeline {
   FilterResult filtered(const Triangulation3& triangulation,
                         const Circumspheres& spheres);
   CleanUpResult cleaned(std::size_t n_vertices, const FilterResult& filtered);
+  CleanUpResult cleaned_faces(const Triangulation3& triangulation,
+                              const Circumspheres& spheres,
+                              const FilterResult& filtered);
   std::vector<Hole> holes(std::size_t n_vertices, const CleanUpResult& clean);
   void finish(const Triangulation3& triangulation, const Circumspheres& spheres,
               std::span<const LocatedTriangle> triangles);
@@ -94,7 +98,9 @@ std::vector<LocatedTriangle> Pipeline::triangles_of(
   result_.counts.filter_without_umbrella = filtered.without_umbrella.size();
   if (options_.stage == Stage::Filter) return without_ranks(filtered.triangles);
 
-  const CleanUpResult clean = cleaned(n, filtered);
+  const CleanUpResult clean =
+      options_.faces ? cleaned_faces(triangulation, spheres, filtered)
+                     : cleaned(n, filtered);
   if (options_.stage == Stage::Clean) return without_ranks(clean.triangles);
 
   const std::vector<Hole> open = holes(n, clean);
@@ -137,6 +143,28 @@ CleanUpResult Pipeline::cleaned(std::size_t n_vertices,
   counts.dissolved = clean.n_dissolved;
   counts.clean_triangles = clean.triangles.size();
   counts.clean_without_umbrella = clean.without_umbrella.size();
+  return clean;
+}
+
+/// The given faces, cleaned. What the filter would choose counts as deleted, as
+/// if it had been there: it joins points that have no face to the holes.
+CleanUpResult Pipeline::cleaned_faces(const Triangulation3& triangulation,
+                                      const Circumspheres& spheres,
+                                      const FilterResult& filtered) {
+  GivenFaces given = locate_faces(triangulation, spheres, *options_.faces);
+  result_.faces = given.counts;
+  FilterResult instead;
+  instead.triangles = std::move(given.triangles);
+  CleanUpResult clean = cleaned(triangulation.points().size(), instead);
+  const auto before = [](const RankedTriangle& a, const RankedTriangle& b) {
+    return a.corners < b.corners;
+  };
+  std::vector<RankedTriangle> others, deleted;
+  std::ranges::set_difference(filtered.triangles, clean.triangles,
+                              std::back_inserter(others), before);
+  std::ranges::set_union(clean.deleted, others, std::back_inserter(deleted),
+                         before);
+  clean.deleted = std::move(deleted);
   return clean;
 }
 

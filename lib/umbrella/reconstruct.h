@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "umbrella/clean_up.h"
 #include "umbrella/closing.h"
 #include "umbrella/criteria.h"
+#include "umbrella/given_faces.h"
 #include "umbrella/triangle.h"
 #include "umbrella/umbrella_choice.h"
 
@@ -34,6 +36,10 @@ struct ReconstructOptions {
   ClosingOptions closing = {};
   /// At most so many; the result is the same for any number.
   unsigned threads = 1;
+  /// Triangles of another surface, as rows of the points: those that are
+  /// Delaunay take the place of the filter's choice, which says no more than
+  /// which points belong to which hole.
+  std::optional<std::span<const IndexedTriangle>> faces = {};
   /// Called at the start of each stage with its name as in `seconds`.
   std::function<void(std::string_view)> progress = {};
 };
@@ -75,6 +81,7 @@ struct Reconstruction {
   /// Lower bound of each triangle's lambda-interval.
   std::vector<double> lambda;
   ReconstructCounts counts;
+  FaceCounts faces;  ///< of ReconstructOptions::faces
   ClosingReport closing;
   std::vector<std::uint32_t> dropped_rows;  ///< left out to close, ascending
   /// Certificate of `triangles`, over the distinct points; its
