@@ -208,7 +208,7 @@ template <class Law>
 void for_all_families(Law law) {
   for (const Family family : tests::kFamilies) {
     SCOPED_TRACE(tests::name(family));
-    law(Sample(tests::make_points<3>(family, 14, 7)));
+    law(Sample(tests::make_points<3>(family, 11, 7)));
   }
 }
 

@@ -26,7 +26,9 @@ bool is_near(double value, double bound) {
 class EmptyBalls {
  public:
   explicit EmptyBalls(const DelaunayTriangle& triangle)
-      : triangle_(triangle), own_side_(triangle.centers_on_own_side()) {}
+      : triangle_(triangle),
+        own_side_(triangle.centers_on_own_side()),
+        beyond_hull_(triangle.beyond_hull()) {}
 
   bool smallest_is_empty() const { return own_side_[0] && own_side_[1]; }
 
@@ -34,6 +36,7 @@ class EmptyBalls {
   /// the end on side `s`: it is no larger than the ball of cell s.
   bool ends_after(unsigned s, double squared_lambda) const {
     if (squared_lambda == 1) return own_side_[s];
+    if (squared_lambda == 0) return beyond_hull_[s];  // others may underflow
     return own_side_[s] && lambda(s, squared_lambda) <= squared_lambda;
   }
 
@@ -45,6 +48,7 @@ class EmptyBalls {
 
   /// As ends_after() and ends_beyond(), for a ball of that radius.
   bool radius_ends_after(unsigned s, double r2) const {
+    if (r2 == kInfinity) return beyond_hull_[s];  // others may overflow
     return own_side_[s] && cell_radius(s, r2) >= r2;
   }
   bool radius_ends_beyond(unsigned s, double r2) const {
@@ -77,7 +81,7 @@ class EmptyBalls {
   }
 
   const DelaunayTriangle& triangle_;
-  std::array<bool, 2> own_side_;
+  std::array<bool, 2> own_side_, beyond_hull_;
 };
 
 /// The triangles for whose empty balls the predicate holds.
