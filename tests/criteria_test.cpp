@@ -112,7 +112,7 @@ TEST(Criteria, MixedWithOnePowerAloneIsThePapersOrCircumradius) {
 
 TEST(Criteria, GiveRanksThatSort) {
   for (const Family family : tests::kFamilies) {
-    const Triangulation3 t(tests::make_points<3>(family, 14, 3));
+    const Triangulation3 t(tests::make_points<3>(family, 10, 3));
     for (const std::string_view name : criterion_names()) {
       SCOPED_TRACE(testing::Message() << tests::name(family) << ' ' << name);
       for (const RankedTriangle& triangle : ranked(name, t)) {

@@ -45,7 +45,7 @@ constexpr auto kOrders = {CarveOrder::Bulge, CarveOrder::Gamma};
 
 TEST(Sculpture, IsASphereWhateverThePoints) {
   for (const Family family : tests::kFamilies) {
-    const Triangulation3 t(tests::make_points<3>(family, 30, 2));
+    const Triangulation3 t(tests::make_points<3>(family, 16, 2));
     if (t.dimension() < 3) continue;
     for (const CarveOrder order : kOrders) {
       SCOPED_TRACE(tests::name(family));
@@ -96,7 +96,7 @@ bool all_edges_are_even(const std::vector<LocatedTriangle>& triangles) {
 
 TEST(BallMerge, IsTheBoundaryOfABody) {
   for (const Family family : tests::kFamilies) {
-    const Triangulation3 t(tests::make_points<3>(family, 25, 2));
+    const Triangulation3 t(tests::make_points<3>(family, 14, 2));
     const Circumspheres spheres(t);
     for (const double ratio : {0.5, 1.2, 1.8}) {
       SCOPED_TRACE(testing::Message() << tests::name(family) << ' ' << ratio);

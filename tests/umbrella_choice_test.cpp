@@ -184,6 +184,28 @@ TEST(UmbrellaChoice, FlattestPrefersTheDiscToTheTip) {
   EXPECT_EQ(rim_of(UmbrellaChoice::LeastSum).size(), 3U);
 }
 
+// Flat, but for rounding: no cost may be negative, or the search runs in rings.
+TEST(UmbrellaChoice, FlattestEndsOnAFlatDisc) {
+  std::mt19937_64 rng(2);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (int trial = 0; trial < 50; ++trial) {
+    const Point3 u(unit(rng), unit(rng), unit(rng));
+    const Point3 v(unit(rng), unit(rng), unit(rng));
+    std::vector<Point3> points = {Point3::Zero()};
+    std::vector<RankedTriangle> triangles;
+    for (int k = 0; k < 8; ++k) {
+      const double angle = k * std::numbers::pi / 4;
+      points.push_back(std::cos(angle) * u + std::sin(angle) * v);
+      triangles.push_back(ranked(0, 1 + k, 1 + (k + 1) % 8, 1));
+      triangles.push_back(ranked(0, 1 + k, 1 + (k + 2) % 8, 1));
+    }
+    const auto chosen =
+        umbrella_filter(points, triangles, UmbrellaChoice::Flattest);
+    const auto at_center = star(chosen.triangles, vertex(0));
+    EXPECT_LT(bending(points, vertex(0), rim(at_center, vertex(0))), 1e-9);
+  }
+}
+
 TEST(UmbrellaChoice, FirstIsTheFilter) {
   const auto points = random_points(12, 3);
   const auto triangles = tests::random_complex(12, 0.2, 3);

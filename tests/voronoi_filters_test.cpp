@@ -236,7 +236,7 @@ TEST(Cocone, HoldsTrianglesWhoseDualEdgeMeetsAllThreeCocones) {
 TEST(VoronoiFilters, GiveDelaunayTrianglesOfAnyPoints) {
   for (const Family family : tests::kFamilies) {
     SCOPED_TRACE(tests::name(family));
-    auto points = tests::make_points<3>(family, 20, 4);
+    auto points = tests::make_points<3>(family, 14, 4);
     const Triangulation3 t(points);
     const auto by_crust = corners(crust(t, Circumspheres(t)));
     const auto by_cocone = corners(cocone(t, Circumspheres(t)));

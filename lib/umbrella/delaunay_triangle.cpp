@@ -11,9 +11,9 @@ namespace umbrella {
 
 using delaunay::Cell;
 
-bool DelaunayTriangle::on_hull() const {
-  return triangulation_->cell(facet_.cell()).is_infinite() ||
-         triangulation_->cell(opposite().cell()).is_infinite();
+std::array<bool, 2> DelaunayTriangle::beyond_hull() const {
+  return {triangulation_->cell(facet_.cell()).is_infinite(),
+          triangulation_->cell(opposite().cell()).is_infinite()};
 }
 
 LambdaInterval DelaunayTriangle::lambda() const {

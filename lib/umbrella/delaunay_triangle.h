@@ -46,7 +46,12 @@ class DelaunayTriangle {
   std::array<delaunay::CellId, 2> cells() const {
     return {facet_.cell(), opposite().cell()};
   }
-  bool on_hull() const;
+  /// Which of cells() are beyond the hull.
+  std::array<bool, 2> beyond_hull() const;
+  bool on_hull() const {
+    const auto [here, there] = beyond_hull();
+    return here || there;
+  }
 
   /// Whether the centre of each of cells() is on its own side of the triangle,
   /// or in its plane; exact. True beyond the hull.

@@ -81,7 +81,8 @@ class CycleFinder {
   double cost(Arc from, Arc to) const {
     if (choice_ == UmbrellaChoice::LeastSum) return weights_[to / 2];
     const VertexId p = head(from);
-    return 1 + side(p, tail(from)).dot(side(p, head(to)));
+    const double cosine = side(p, tail(from)).dot(side(p, head(to)));
+    return std::max(0.0, 1 + cosine);  // rounding must not make it negative
   }
 
   /// Unit vector from the axis v p towards q, at right angles to it.
