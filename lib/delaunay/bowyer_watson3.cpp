@@ -194,14 +194,14 @@ bool BowyerWatson3::in_conflict(const Cell& cell, const double* p) const {
 bool BowyerWatson3::in_conflict_exact(const Cell& cell, const double* p) const {
   const auto& v = cell.vertex;
   if (!cell.is_infinite())
-    return predicates::insphere_perturbed(at(v[0]), at(v[1]), at(v[2]),
-                                          at(v[3]), p) > 0;
-  const int side = predicates::orient3d(at(v[0]), at(v[1]), at(v[2]), p);
+    return mesh_.lattice.insphere_perturbed(at(v[0]), at(v[1]), at(v[2]),
+                                            at(v[3]), p) > 0;
+  const int side = mesh_.lattice.orient3d(at(v[0]), at(v[1]), at(v[2]), p);
   if (side != 0) return side > 0;
   // In the plane of a hull facet, the ball beyond it is the disc that the
   // ball on its inner side cuts out, perturbed alike.
   const Cell& inner = cells_[index(cell.neighbor[3].cell())];
-  return predicates::insphere_perturbed(
+  return mesh_.lattice.insphere_perturbed(
              at(inner.vertex[0]), at(inner.vertex[1]), at(inner.vertex[2]),
              at(inner.vertex[3]), p) > 0;
 }

@@ -11,6 +11,7 @@
 
 #include "delaunay/cell_vector.h"
 #include "delaunay/triangulation3.h"
+#include "predicates/lattice.h"
 
 namespace delaunay {
 
@@ -39,8 +40,9 @@ struct Mesh3 {
   static bool is_cell(const Cell& c) { return c.vertex[0] != kInfinite; }
   static void remove(Cell& c) { c.vertex[0] = kInfinite; }
 
-  std::vector<Site> sites;  // by vertex
-  LazyVector<Cell> cells;   // used and unused ones
+  std::vector<Site> sites;      // by vertex
+  predicates::Lattice lattice;  // on which all sites lie, if there is one
+  LazyVector<Cell> cells;       // used and unused ones
 
  private:
   void link(Facet a, Facet b);
