@@ -41,11 +41,6 @@ double squared_distance(const Cell& cell, const double* p) {
   return x * x + y * y + z * z;
 }
 
-/// What an inserter without company may change.
-struct Everything {
-  static constexpr bool holds(const Cell&) { return true; }
-};
-
 /// No distance is certain: every test goes to the exact predicate.
 void forget_sphere(Cell& cell) {
   cell.center = {0, 0, 0};
@@ -156,15 +151,17 @@ bool BowyerWatson3::enter(const Part& part, VertexId v, CellId near) {
   lacks_room_ = false;
   part_ = part;
   hint_ = finite(locate(hint_, at(v)));
-  return part_.holds(cells_[index(hint_)]);
+  return part_.may_visit(cells_[index(hint_)]);
 }
 
 bool BowyerWatson3::insert_within_part(VertexId v) {
   if (lacks_room_) return false;
   const double* p = at(v);
   const CellId seed = walk<false>(hint_, p, part_);
-  if (!cells_[index(seed)].is_infinite()) hint_ = seed;
-  if (!in_conflict(cells_[index(seed)], p)) return false;
+  const Cell& found = cells_[index(seed)];
+  if (!part_.owns(found)) return false;
+  if (!found.is_infinite()) hint_ = seed;
+  if (!in_conflict(found, p)) return false;
   const bool is_within = find_cavity(seed, p, part_);
   lacks_room_ = fresh_.end_after(n_fresh_cells()) > mesh_.cells.size();
   if (is_within && !lacks_room_)
@@ -198,7 +195,8 @@ bool BowyerWatson3::is_beyond(const Cell& cell, unsigned facet,
 // whose cached sphere holds p. Rounded signs may mislead it or make it
 // circle, never to a wrong result: they get a bounded number of steps, and
 // the exact walk ends on every Delaunay triangulation [Devillers02].
-// It stays in the region: where the way leads out of it, it ends.
+// Of cells that the region does not own it reads the corners only, and it ends
+// where no facet is left that it may cross.
 template <bool kExact, class Region>
 CellId BowyerWatson3::walk(CellId start, const double* p,
                            const Region& region) const {
@@ -209,17 +207,18 @@ CellId BowyerWatson3::walk(CellId start, const double* p,
   for (std::size_t step = 0; step < max_steps; ++step) {
     const Cell& cell = cells_[index(current)];
     if (cell.is_infinite()) return current;
-    if (squared_distance(cell, p) < cell.inside2) return current;
+    const bool is_own = region.owns(cell);
+    if (is_own && squared_distance(cell, p) < cell.inside2) return current;
     unsigned exit = 4;
     for (unsigned k = 0; k < 4 && exit == 4; ++k) {
       const auto i = static_cast<unsigned>((k + step) % 4);
-      if (i != entry && is_beyond<kExact>(cell, i, p)) exit = i;
+      if (i != entry && (is_own || region.may_cross(cell, i)) &&
+          is_beyond<kExact>(cell, i, p))
+        exit = i;
     }
     if (exit == 4) return current;
-    const Facet next = cell.neighbor[exit];
-    if (!region.holds(cells_[index(next.cell())])) return current;
-    entry = next.index();
-    current = next.cell();
+    entry = cell.neighbor[exit].index();
+    current = cell.neighbor[exit].cell();
   }
   return current;
 }
@@ -276,7 +275,7 @@ bool BowyerWatson3::find_cavity(CellId seed, const double* p,
   };
   take(seed, cells_[index(seed)]);
   for (std::size_t k = 0; k < cavity_.size(); ++k) {
-    if (!region.holds(cells_[index(cavity_[k])])) return false;
+    if (!region.owns(cells_[index(cavity_[k])])) return false;
     const auto neighbor = cells_[index(cavity_[k])].neighbor;
     for (const Facet f : neighbor) {
       Cell& cell = cells_[index(f.cell())];

@@ -26,16 +26,6 @@ void Mesh3::make_room(std::size_t n) {
   cells.resize(std::min(std::max(n, 2 * cells.size()), kMaxCells));
 }
 
-std::vector<VertexId> Part::select(std::span<const VertexId> vertices) const {
-  const auto low = std::ranges::lower_bound(vertices, VertexId{low_});
-  const auto high =
-      std::ranges::lower_bound(low, vertices.end(), VertexId{low_ + size_});
-  if (!is_outside_) return {low, high};
-  std::vector<VertexId> result(high, vertices.end());
-  result.insert(result.end(), vertices.begin(), low);
-  return result;
-}
-
 void Mesh3::link(Facet a, Facet b) {
   cells[index(a.cell())].neighbor[a.index()] = b;
   cells[index(b.cell())].neighbor[b.index()] = a;
