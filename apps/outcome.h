@@ -21,6 +21,7 @@ struct Request {
   std::string criterion = "paper";
   umbrella::CloseMode close = umbrella::CloseMode::Best;
   std::optional<double> time_limit;  ///< seconds
+  unsigned threads = 1;
 };
 
 struct Outcome {

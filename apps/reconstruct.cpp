@@ -32,7 +32,6 @@ struct Options {
   Request request;
   std::string out;
   std::string report;
-  unsigned threads = 1;
   bool quiet = false;
   terminal::Color color = terminal::Color::Auto;
 };
@@ -61,15 +60,19 @@ std::uint64_t peak_memory_bytes() {
   return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;  // Linux: KiB
 }
 
-report::Json complete(const Outcome& outcome, double read_seconds,
-                      double write_seconds, double total_seconds) {
+struct Seconds {
+  double read, write, total;
+};
+
+report::Json complete(const Request& request, const Outcome& outcome,
+                      const Seconds& wall_clock) {
   report::Json json = outcome.report;
-  report::Json seconds = {{"read", read_seconds}};
+  report::Json seconds = {{"read", wall_clock.read}};
   seconds.update(json["seconds"]);
-  seconds["write"] = write_seconds;
-  seconds["total"] = total_seconds;
+  seconds["write"] = wall_clock.write;
+  seconds["total"] = wall_clock.total;
   json["seconds"] = seconds;
-  json["threads"] = 1;
+  json["threads"] = request.threads;
   json["peak_memory_bytes"] = peak_memory_bytes();
   report::add_build(json);
   return json;
@@ -139,9 +142,10 @@ ExitCode reconstruct(const Options& options) {
   const double write_seconds = writing.seconds();
   const double total_seconds = total.seconds();
   if (!options.report.empty())
-    io::write_file(options.report,
-                   report::text(complete(outcome, read_seconds, write_seconds,
-                                         total_seconds)));
+    io::write_file(
+        options.report,
+        report::text(complete(request, outcome,
+                              {read_seconds, write_seconds, total_seconds})));
   progress.clear();
   if (!options.quiet) print_summary(options, outcome, total_seconds);
   const bool as_asked =
@@ -212,8 +216,8 @@ void add_method_options(CLI::App& sub, Request& request) {
 }
 
 void add_run_options(CLI::App& sub, Options& options) {
-  sub.add_option("--threads", options.threads,
-                 "At most so many threads; this version uses one")
+  sub.add_option("--threads", options.request.threads,
+                 "At most so many threads, in space [1]")
       ->check(CLI::Range(1U, 4096U))
       ->type_name("N");
   sub.add_flag("--quiet", options.quiet, "No summary, no progress");

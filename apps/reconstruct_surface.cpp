@@ -15,6 +15,7 @@ umbrella::Reconstruction run(const io::PointSet& points, const Request& request,
   options.criterion = request.criterion;
   options.closing.mode = request.close;
   if (request.time_limit) options.closing.seconds = *request.time_limit;
+  options.threads = request.threads;
   options.progress = [&](std::string_view stage) { progress.show(stage); };
   return umbrella::reconstruct(points.points, options);
 }

@@ -25,11 +25,6 @@
 namespace delaunay {
 namespace {
 
-/// What an inserter without company may change.
-struct Everything {
-  static constexpr bool holds(const Cell&) { return true; }
-};
-
 struct Vector {
   double x, y, z;
 };
@@ -90,25 +85,34 @@ void BowyerWatson3::insert(VertexId v) {
   fill_cavity(v);
 }
 
-bool BowyerWatson3::enter(const Part& part, VertexId v, CellId near) {
+void BowyerWatson3::resume(CellId near) {
   cells_ = mesh_.cells.data();
+  hint_ = finite(near);
+}
+
+bool BowyerWatson3::enter(const Part& part, VertexId v, CellId near) {
+  resume(near);
+  lacks_room_ = false;
   part_ = part;
-  hint_ = finite(locate(finite(near), at(v)));
-  return part_.holds(cells_[index(hint_)]);
+  hint_ = finite(locate(hint_, at(v)));
+  return part_.may_visit(cells_[index(hint_)]);
 }
 
 bool BowyerWatson3::insert_within_part(VertexId v) {
+  if (lacks_room_) return false;
   const double* p = at(v);
   const CellId seed = walk<false>(hint_, p, part_);
-  if (!cells_[index(seed)].is_infinite()) hint_ = seed;
-  if (!in_conflict(cells_[index(seed)], p)) return false;
-  if (!find_cavity(seed, p, part_) ||
-      fresh_.end_after(n_fresh_cells()) > mesh_.cells.size()) {
+  const Cell& found = cells_[index(seed)];
+  if (!part_.owns(found)) return false;
+  if (!found.is_infinite()) hint_ = seed;
+  if (!in_conflict(found, p)) return false;
+  const bool is_within = find_cavity(seed, p, part_);
+  lacks_room_ = fresh_.end_after(n_fresh_cells()) > mesh_.cells.size();
+  if (is_within && !lacks_room_)
+    fill_cavity(v);
+  else
     forget_cavity();
-    return false;
-  }
-  fill_cavity(v);
-  return true;
+  return is_within && !lacks_room_;
 }
 
 // ---- Location ----
@@ -135,7 +139,8 @@ bool BowyerWatson3::is_beyond(const Cell& cell, unsigned facet,
 // whose cached sphere holds p. Rounded signs may mislead it or make it
 // circle, never to a wrong result: they get a bounded number of steps, and
 // the exact walk ends on every Delaunay triangulation [Devillers02].
-// It stays in the region: where the way leads out of it, it ends.
+// Of cells that the region does not own it reads the corners only, and it ends
+// where no facet is left that it may cross.
 template <bool kExact, class Region>
 CellId BowyerWatson3::walk(CellId start, const double* p,
                            const Region& region) const {
@@ -146,17 +151,18 @@ CellId BowyerWatson3::walk(CellId start, const double* p,
   for (std::size_t step = 0; step < max_steps; ++step) {
     const Cell& cell = cells_[index(current)];
     if (cell.is_infinite()) return current;
-    if (squared_distance(cell, p) < cell.inside2) return current;
+    const bool is_own = region.owns(cell);
+    if (is_own && squared_distance(cell, p) < cell.inside2) return current;
     unsigned exit = 4;
     for (unsigned k = 0; k < 4 && exit == 4; ++k) {
       const auto i = static_cast<unsigned>((k + step) % 4);
-      if (i != entry && is_beyond<kExact>(cell, i, p)) exit = i;
+      if (i != entry && (is_own || region.may_cross(cell, i)) &&
+          is_beyond<kExact>(cell, i, p))
+        exit = i;
     }
     if (exit == 4) return current;
-    const Facet next = cell.neighbor[exit];
-    if (!region.holds(cells_[index(next.cell())])) return current;
-    entry = next.index();
-    current = next.cell();
+    entry = cell.neighbor[exit].index();
+    current = cell.neighbor[exit].cell();
   }
   return current;
 }
@@ -237,7 +243,7 @@ bool BowyerWatson3::find_cavity(CellId seed, const double* p,
     prefetch_around(search.ahead(k));
     const Facet entry = search.cavity[k];
     const Cell& cell = cells_[index(entry.cell())];
-    if (!region.holds(cell)) break;
+    if (!region.owns(cell)) break;
     const auto neighbor = cell.neighbor;
     std::uint32_t undecided = 0;
     if (k == 0) undecided = search.look(neighbor[0]);
@@ -261,9 +267,9 @@ void BowyerWatson3::forget_cavity() {
 
 // ---- End ----
 
-void BowyerWatson3::give_back(std::size_t end) {
+void BowyerWatson3::remove_unused(std::size_t end) {
   while (fresh_.end_after(1) <= end)
-    Mesh3::remove(cells_[index(fresh_.take())]);
+    Mesh3::remove(mesh_.cells[index(fresh_.take())]);
 }
 
 }  // namespace delaunay

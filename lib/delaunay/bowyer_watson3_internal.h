@@ -16,7 +16,7 @@ namespace delaunay {
 
 /// Inserts vertices into a mesh. Several may work on one mesh at a time, each
 /// within a part of its own; all use the numbers 0 .. n_inserters - 1.
-class BowyerWatson3 {
+class alignas(128) BowyerWatson3 {  // shares no cache line with another
  public:
   /// @param number  of this inserter, among `n_inserters` on the mesh
   explicit BowyerWatson3(Mesh3& mesh, unsigned number = 0,
@@ -26,29 +26,31 @@ class BowyerWatson3 {
   /// @param first  four vertices that span space, in any order
   void start(const std::array<VertexId, 4>& first);
 
-  /// No other inserter may be at work.
+  /// Inserts while no other inserter is at work.
   /// @pre `v` was not inserted before
   /// @throws std::length_error  the cells' numbers would not fit 30 bits
   void insert(VertexId v);
+  /// To be called before insert() if others were at work.
+  /// @param near  any cell, the nearer to the next vertex the better
+  void resume(CellId near);
 
-  /// Prepares for insertions within a part, while no inserter is at work.
-  /// @param near  a cell to start from
-  /// @return whether the cell found at `v` is the part's; without one
-  ///   every insertion is refused
+  /// Binds further insertions to a part; no inserter may be at work.
+  /// @return whether it may begin near `v`; if not, do not insert
   bool enter(const Part& part, VertexId v, CellId near);
-
-  /// The same as insert() if that changes no cell but those of the part that
-  /// was entered; otherwise, or if room runs out, changes nothing and returns
-  /// false. Others may be at work in disjoint parts.
+  /// Inserts while others may be at work in disjoint parts: true, or nothing
+  /// has changed, since a cell outside the part would have had to, or room
+  /// runs out.
+  /// @pre enter() returned true
   bool insert_within_part(VertexId v);
+  bool lacks_room() const { return lacks_room_; }
 
-  /// A cell near the vertex inserted last.
+  /// A cell near the vertex inserted or sought last.
   CellId hint() const { return hint_; }
 
-  /// Marks what is left of the cells given out to this inserter as no cells.
-  void give_back(std::size_t end);
   /// Beyond the last cell ever used.
   std::size_t end() const { return fresh_.end(); }
+  /// Marks its own places below `end` that were never used as empty.
+  void remove_unused(std::size_t end);
 
  private:
   using Site = Mesh3::Site;
@@ -99,7 +101,8 @@ class BowyerWatson3 {
   Site infinite_site_;
   FreshCells fresh_;
   std::vector<CellId> free_;
-  Part part_ = Part::inside(0, 0);
+  Part part_{{}, 0};
+  bool lacks_room_ = false;
   CellId hint_{};  // near the vertex inserted last, inside the hull
 
   // Of the insertion under way; kept to reuse their memory, and made longer

@@ -28,13 +28,13 @@ predicates::Lattice find_lattice(std::span<const Point3> points) {
 
 }  // namespace
 
-Mesh3::Mesh3(std::span<const Point3> points)
+Mesh3::Mesh3(std::span<const Point3> points, unsigned n_inserters)
     : sites(points.size()), lattice(find_lattice(points)) {
   for (std::size_t i = 0; i < points.size(); ++i)
     sites[i].at = {points[i][0], points[i][1], points[i][2]};
   // Uniform points make 6.8 cells each, scanned surfaces 6 to 9. Memory that
   // is never touched costs nothing.
-  make_room(points.size() * 7 + 64);
+  make_room(points.size() * 7 + n_inserters * FreshCells::kBlock);
 }
 
 void Mesh3::make_room(std::size_t n) {

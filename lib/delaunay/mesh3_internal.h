@@ -5,7 +5,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -26,7 +25,8 @@ struct Mesh3 {
 
   /// @param points  distinct; quickest if their coordinates fill [-1, 1], for
   ///   spheres far larger or smaller are not cached
-  explicit Mesh3(std::span<const Point3> points);
+  /// @param n_inserters  how many will work on it
+  explicit Mesh3(std::span<const Point3> points, unsigned n_inserters = 1);
 
   /// Makes room for n cells at least.
   /// @throws std::length_error  their numbers would not fit 30 bits
@@ -51,32 +51,47 @@ struct Mesh3 {
   std::size_t gather(std::size_t first, Keep keep);
 };
 
-/// Vertices whose cells one inserter may change: an interval of ids, or all
-/// but an interval.
+/// Vertices that one inserter may use while others use the other parts. What
+/// it may read and write then is proved in docs/delaunay.md, "Threads".
 class Part {
  public:
-  static Part inside(std::uint32_t begin, std::uint32_t end) {
-    return {begin, end - begin, false};
-  }
-  static Part outside(std::uint32_t begin, std::uint32_t end) {
-    return {begin, end - begin, true};
-  }
+  /// @param part_of_vertex  must outlive this object
+  /// @param number          of this part
+  Part(std::span<const std::uint8_t> part_of_vertex, std::uint8_t number)
+      : part_of_vertex_(part_of_vertex.data()), number_(number) {}
 
-  bool holds(VertexId v) const {
-    return (static_cast<std::uint32_t>(v) - begin_ < size_) != is_outside_;
+  /// All finite corners are in this part: it may be replaced.
+  bool owns(const Cell& c) const {
+    return part(c, 0) == number_ && part(c, 1) == number_ &&
+           part(c, 2) == number_ && (c.is_infinite() || part(c, 3) == number_);
   }
-  /// Whether all finite corners are in the part.
-  bool holds(const Cell& c) const {
-    return holds(c.vertex[0]) && holds(c.vertex[1]) && holds(c.vertex[2]) &&
-           (c.is_infinite() || holds(c.vertex[3]));
+  /// No one else owns it: it will not be replaced.
+  bool may_visit(const Cell& c) const {
+    const std::uint8_t first = part(c, 0);
+    return first == number_ || part(c, 1) != first || part(c, 2) != first ||
+           (!c.is_infinite() && part(c, 3) != first);
+  }
+  /// No one else owns the facet: what lies across will not be replaced.
+  /// @param c  finite
+  bool may_cross(const Cell& c, unsigned facet) const {
+    const auto& [i, j, k] = kFacetCorners[facet];
+    const std::uint8_t first = part(c, i);
+    return first == number_ || part(c, j) != first || part(c, k) != first;
   }
 
  private:
-  Part(std::uint32_t begin, std::uint32_t size, bool is_outside)
-      : begin_(begin), size_(size), is_outside_(is_outside) {}
+  std::uint8_t part(const Cell& c, unsigned corner) const {
+    return part_of_vertex_[index(c.vertex[corner])];
+  }
 
-  std::uint32_t begin_, size_;
-  bool is_outside_;
+  const std::uint8_t* part_of_vertex_;
+  std::uint8_t number_;
+};
+
+/// An inserter without company owns all.
+struct Everything {
+  static constexpr bool owns(const Cell&) { return true; }
+  static constexpr bool may_cross(const Cell&, unsigned) { return true; }
 };
 
 /// Numbers of cells for one of n inserters, in ascending order: every n-th
@@ -84,6 +99,8 @@ class Part {
 /// alone, and all together leave few gaps.
 class FreshCells {
  public:
+  static constexpr std::size_t kBlock = 1024;
+
   FreshCells(unsigned number, unsigned n_inserters)
       : next_(number * kBlock),
         block_end_(next_ + kBlock),
@@ -106,13 +123,13 @@ class FreshCells {
   }
 
  private:
-  static constexpr std::size_t kBlock = 1024;
   void next_block() {
     next_ += skip_;
     block_end_ = next_ + kBlock;
   }
 
-  std::size_t next_, block_end_, skip_;
+  std::size_t next_, block_end_;
+  std::size_t skip_;  // from the end of a block to the next
 };
 
 }  // namespace delaunay

@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-#include "delaunay/bowyer_watson3_internal.h"
+#include "delaunay/parallel_insertion_internal.h"
 #include "delaunay/spatial_sort.h"
 #include "predicates/predicates.h"
 
@@ -77,12 +77,13 @@ void scale(std::vector<Point3>& points, int exponent) {
 
 }  // namespace
 
-Triangulation3::Triangulation3(std::span<const Point3> points) {
+Triangulation3::Triangulation3(std::span<const Point3> points,
+                               unsigned threads) {
   if (points.size() > max_points())
     throw std::invalid_argument(
         std::to_string(points.size()) + " points; at most " +
         std::to_string(max_points()) + " can be triangulated");
-  auto [distinct, vertex_of_row] = spatial_order(points);
+  auto [distinct, vertex_of_row] = spatial_order(points, threads);
   points_ = std::move(distinct);
   vertex_of_row_ = std::move(vertex_of_row);
   const Frame frame = find_frame(points_);
@@ -92,13 +93,13 @@ Triangulation3::Triangulation3(std::span<const Point3> points) {
   const int exponent = scaling_exponent(points_);
   scale(points_, exponent);
   scale_exponent_ = -exponent;
-  Mesh3 mesh(points_);
-  BowyerWatson3 inserter(mesh);
-  inserter.start(frame.vertex);
-  for (const VertexId v : insertion_order(points_.size()))
-    if (std::ranges::find(frame.vertex, v) == frame.vertex.end())
-      inserter.insert(v);
-  n_finite_cells_ = mesh.compact(inserter.end());
+  InsertionOptions options;
+  options.threads = static_cast<unsigned>(std::clamp<std::size_t>(
+      points_.size() / options.min_vertices, 1,
+      std::clamp(threads, 1U, InsertionOptions::kMaxThreads)));
+  Mesh3 mesh(points_, options.threads);
+  n_finite_cells_ =
+      insert_all(mesh, frame.vertex, insertion_order(points_.size()), options);
   cells_ = std::move(mesh.cells);
   scale(points_, -exponent);
 }

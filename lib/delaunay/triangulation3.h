@@ -56,12 +56,16 @@ inline constexpr std::array<std::array<unsigned, 3>, 4> kFacetCorners = {
 class Triangulation3 {
  public:
   /// Bowyer-Watson insertion along a Hilbert curve; the same set of points
-  /// gives the same triangulation with the same numbers, whatever their order.
+  /// gives the same triangulation, whatever their order and the number of
+  /// threads. How cells are numbered, which even permutation of its corners a
+  /// cell holds and how its sphere is rounded depends on the set of points and
+  /// the number of threads alone.
   ///
   /// @param points  any unit, duplicates allowed, at most max_points()
+  /// @param threads  at most so many
   /// @throws std::invalid_argument  a coordinate is not finite (names the row)
   ///   or there are too many points
-  explicit Triangulation3(std::span<const Point3> points);
+  explicit Triangulation3(std::span<const Point3> points, unsigned threads = 1);
 
   static constexpr std::size_t max_points() { return std::size_t{1} << 27U; }
 

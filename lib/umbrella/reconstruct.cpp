@@ -76,8 +76,9 @@ class Pipeline {
 };
 
 Reconstruction Pipeline::run(std::span<const Point3> points) {
-  const auto triangulation = timed("delaunay", result_.seconds.delaunay,
-                                   [&] { return Triangulation3(points); });
+  const auto triangulation = timed("delaunay", result_.seconds.delaunay, [&] {
+    return Triangulation3(points, options_.threads);
+  });
   const auto spheres = timed("lambda", result_.seconds.lambda,
                              [&] { return Circumspheres(triangulation); });
   result_.dimension = triangulation.dimension();

@@ -26,6 +26,8 @@ struct ReconstructOptions {
   std::string_view criterion = "paper";
   CleanUpOptions clean_up = {};
   ClosingOptions closing = {};
+  /// At most so many; the result is the same for any number.
+  unsigned threads = 1;
   /// Called at the start of each stage with its name as in `seconds`.
   std::function<void(std::string_view)> progress = {};
 };
