@@ -1,9 +1,9 @@
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cstdint>
 #include <set>
 #include <span>
 #include <stdexcept>
@@ -21,49 +21,50 @@
 namespace delaunay {
 namespace {
 
-using testing::ElementsAre;
-using testing::IsEmpty;
 using tests::Family;
 using tests::kFamilies;
 using tests::make_points;
 
 // ---- What the inserters share ----
 
-TEST(Part, HoldsAnIntervalOfTheClosedCurve) {
-  const auto held = [](const Part& part) {
-    std::vector<unsigned> result;
-    for (unsigned v = 0; v < 10; ++v)
-      if (part.holds(VertexId{v})) result.push_back(v);
-    return result;
-  };
-  EXPECT_THAT(held({2, 5}), ElementsAre(2, 3, 4));
-  EXPECT_THAT(held({7, 2}), ElementsAre(0, 1, 7, 8, 9));
-  EXPECT_THAT(held({8, 0}), ElementsAre(8, 9));
-  EXPECT_EQ(held({4, 4}).size(), 10U);
+// Vertices 0, 1 are in part 0, 2 to 5 in part 1, 6, 7 in part 2.
+class PartTest : public testing::Test {
+ protected:
+  static Cell cell(unsigned a, unsigned b, unsigned c, unsigned d) {
+    return {.vertex = {VertexId{a}, VertexId{b}, VertexId{c}, VertexId{d}},
+            .neighbor = {},
+            .center = {},
+            .inside2 = 0,
+            .outside2 = 0};
+  }
+  static constexpr auto kInf = static_cast<unsigned>(kInfinite);
+  const std::vector<std::uint8_t> part_of_vertex_ = {0, 0, 1, 1, 1, 1, 2, 2};
+  const Part part_{part_of_vertex_, 1};
+};
+
+TEST_F(PartTest, OwnsACellWithAllItsFiniteCorners) {
+  EXPECT_TRUE(part_.owns(cell(2, 3, 5, 4)));
+  EXPECT_TRUE(part_.owns(cell(2, 3, 5, kInf)));
+  EXPECT_FALSE(part_.owns(cell(2, 6, 5, 4)));
+  EXPECT_FALSE(part_.owns(cell(2, 3, 5, 1)));
+  EXPECT_FALSE(part_.owns(cell(2, 6, 5, kInf)));
 }
 
-TEST(Part, SelectsWhatItHoldsFromItsBeginningOn) {
-  const std::vector<VertexId> some = {VertexId{1}, VertexId{3}, VertexId{4},
-                                      VertexId{8}};
-  EXPECT_THAT(Part(3, 8).select(some), ElementsAre(VertexId{3}, VertexId{4}));
-  EXPECT_THAT(Part(4, 2).select(some),
-              ElementsAre(VertexId{4}, VertexId{8}, VertexId{1}));
-  EXPECT_THAT(Part(5, 7).select(some), IsEmpty());
+TEST_F(PartTest, MayVisitWhatNoOtherOwns) {
+  EXPECT_TRUE(part_.may_visit(cell(2, 3, 5, 4)));
+  EXPECT_TRUE(part_.may_visit(cell(0, 1, 7, 6)));
+  EXPECT_TRUE(part_.may_visit(cell(0, 7, 6, kInf)));
+  EXPECT_FALSE(part_.may_visit(cell(0, 1, 0, 1)));
+  EXPECT_FALSE(part_.may_visit(cell(7, 6, 7, kInf)));
 }
 
-TEST(Part, HoldsACellWithAllItsFiniteCorners) {
-  const auto cell = [](unsigned a, unsigned b, unsigned c, VertexId d) {
-    return Cell{.vertex = {VertexId{a}, VertexId{b}, VertexId{c}, d},
-                .neighbor = {},
-                .center = {},
-                .inside2 = 0,
-                .outside2 = 0};
-  };
-  const Part part(2, 6);
-  EXPECT_TRUE(part.holds(cell(2, 3, 5, VertexId{4})));
-  EXPECT_TRUE(part.holds(cell(2, 3, 5, kInfinite)));
-  EXPECT_FALSE(part.holds(cell(2, 6, 5, VertexId{4})));
-  EXPECT_FALSE(part.holds(cell(2, 6, 5, kInfinite)));
+TEST_F(PartTest, MayCrossAFacetThatNoOtherOwns) {
+  const Cell mixed = cell(0, 1, 0, 3);
+  EXPECT_TRUE(part_.may_cross(mixed, 0));
+  EXPECT_TRUE(part_.may_cross(mixed, 1));
+  EXPECT_TRUE(part_.may_cross(mixed, 2));
+  EXPECT_FALSE(part_.may_cross(mixed, 3));
+  EXPECT_TRUE(part_.may_cross(cell(0, 1, 7, 3), 3));
 }
 
 TEST(FreshCells, GiveEveryNumberToOneInserter) {

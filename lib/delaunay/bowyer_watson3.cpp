@@ -25,11 +25,6 @@
 namespace delaunay {
 namespace {
 
-/// What an inserter without company may change.
-struct Everything {
-  static constexpr bool holds(const Cell&) { return true; }
-};
-
 struct Vector {
   double x, y, z;
 };
@@ -100,15 +95,17 @@ bool BowyerWatson3::enter(const Part& part, VertexId v, CellId near) {
   lacks_room_ = false;
   part_ = part;
   hint_ = finite(locate(hint_, at(v)));
-  return part_.holds(cells_[index(hint_)]);
+  return part_.may_visit(cells_[index(hint_)]);
 }
 
 bool BowyerWatson3::insert_within_part(VertexId v) {
   if (lacks_room_) return false;
   const double* p = at(v);
   const CellId seed = walk<false>(hint_, p, part_);
-  if (!cells_[index(seed)].is_infinite()) hint_ = seed;
-  if (!in_conflict(cells_[index(seed)], p)) return false;
+  const Cell& found = cells_[index(seed)];
+  if (!part_.owns(found)) return false;
+  if (!found.is_infinite()) hint_ = seed;
+  if (!in_conflict(found, p)) return false;
   const bool is_within = find_cavity(seed, p, part_);
   lacks_room_ = fresh_.end_after(n_fresh_cells()) > mesh_.cells.size();
   if (is_within && !lacks_room_)
@@ -142,7 +139,8 @@ bool BowyerWatson3::is_beyond(const Cell& cell, unsigned facet,
 // whose cached sphere holds p. Rounded signs may mislead it or make it
 // circle, never to a wrong result: they get a bounded number of steps, and
 // the exact walk ends on every Delaunay triangulation [Devillers02].
-// It stays in the region: where the way leads out of it, it ends.
+// Of cells that the region does not own it reads the corners only, and it ends
+// where no facet is left that it may cross.
 template <bool kExact, class Region>
 CellId BowyerWatson3::walk(CellId start, const double* p,
                            const Region& region) const {
@@ -153,17 +151,18 @@ CellId BowyerWatson3::walk(CellId start, const double* p,
   for (std::size_t step = 0; step < max_steps; ++step) {
     const Cell& cell = cells_[index(current)];
     if (cell.is_infinite()) return current;
-    if (squared_distance(cell, p) < cell.inside2) return current;
+    const bool is_own = region.owns(cell);
+    if (is_own && squared_distance(cell, p) < cell.inside2) return current;
     unsigned exit = 4;
     for (unsigned k = 0; k < 4 && exit == 4; ++k) {
       const auto i = static_cast<unsigned>((k + step) % 4);
-      if (i != entry && is_beyond<kExact>(cell, i, p)) exit = i;
+      if (i != entry && (is_own || region.may_cross(cell, i)) &&
+          is_beyond<kExact>(cell, i, p))
+        exit = i;
     }
     if (exit == 4) return current;
-    const Facet next = cell.neighbor[exit];
-    if (!region.holds(cells_[index(next.cell())])) return current;
-    entry = next.index();
-    current = next.cell();
+    entry = cell.neighbor[exit].index();
+    current = cell.neighbor[exit].cell();
   }
   return current;
 }
@@ -201,14 +200,14 @@ bool BowyerWatson3::in_conflict(const Cell& cell, const double* p) const {
 bool BowyerWatson3::in_conflict_exact(const Cell& cell, const double* p) const {
   const auto& v = cell.vertex;
   if (!cell.is_infinite())
-    return predicates::insphere_perturbed(at(v[0]), at(v[1]), at(v[2]),
-                                          at(v[3]), p) > 0;
-  const int side = predicates::orient3d(at(v[0]), at(v[1]), at(v[2]), p);
+    return mesh_.lattice.insphere_perturbed(at(v[0]), at(v[1]), at(v[2]),
+                                            at(v[3]), p) > 0;
+  const int side = mesh_.lattice.orient3d(at(v[0]), at(v[1]), at(v[2]), p);
   if (side != 0) return side > 0;
   // In the plane of a hull facet, the ball beyond it is the disc that the
   // ball on its inner side cuts out, perturbed alike.
   const Cell& inner = cells_[index(cell.neighbor[3].cell())];
-  return predicates::insphere_perturbed(
+  return mesh_.lattice.insphere_perturbed(
              at(inner.vertex[0]), at(inner.vertex[1]), at(inner.vertex[2]),
              at(inner.vertex[3]), p) > 0;
 }
@@ -244,7 +243,7 @@ bool BowyerWatson3::find_cavity(CellId seed, const double* p,
     prefetch_around(search.ahead(k));
     const Facet entry = search.cavity[k];
     const Cell& cell = cells_[index(entry.cell())];
-    if (!region.holds(cell)) break;
+    if (!region.owns(cell)) break;
     const auto neighbor = cell.neighbor;
     std::uint32_t undecided = 0;
     if (k == 0) undecided = search.look(neighbor[0]);

@@ -35,7 +35,7 @@ class alignas(128) BowyerWatson3 {  // shares no cache line with another
   void resume(CellId near);
 
   /// Binds further insertions to a part; no inserter may be at work.
-  /// @return whether the part has a cell at `v`; without, do not insert
+  /// @return whether it may begin near `v`; if not, do not insert
   bool enter(const Part& part, VertexId v, CellId near);
   /// Inserts while others may be at work in disjoint parts: true, or nothing
   /// has changed, since a cell outside the part would have had to, or room
@@ -101,7 +101,7 @@ class alignas(128) BowyerWatson3 {  // shares no cache line with another
   Site infinite_site_;
   FreshCells fresh_;
   std::vector<CellId> free_;
-  Part part_{0, 0};
+  Part part_{{}, 0};
   bool lacks_room_ = false;
   CellId hint_{};  // near the vertex inserted last, inside the hull
 

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <bit>
+#include <cmath>
 #include <stdexcept>
 
 #include "delaunay/mesh3_internal.h"
@@ -8,10 +10,26 @@ namespace {
 
 constexpr std::size_t kMaxCells = std::size_t{1} << 30U;
 
+/// The lattice of the largest power of two that divides all coordinates; none
+/// if they are not multiples of 2^-40 below 2^22.
+predicates::Lattice find_lattice(std::span<const Point3> points) {
+  constexpr double kFinest = 0x1p-40;
+  std::uint64_t bits = 0;
+  for (const Point3& p : points)
+    for (const double x : p) {
+      const double multiple = std::abs(x) / kFinest;
+      if (!(multiple < 0x1p62)) return predicates::Lattice();
+      const auto n = static_cast<std::uint64_t>(multiple);
+      if (static_cast<double>(n) != multiple) return predicates::Lattice();
+      bits |= n;
+    }
+  return predicates::Lattice(std::ldexp(kFinest, std::countr_zero(bits)));
+}
+
 }  // namespace
 
 Mesh3::Mesh3(std::span<const Point3> points, unsigned n_inserters)
-    : sites(points.size()) {
+    : sites(points.size()), lattice(find_lattice(points)) {
   for (std::size_t i = 0; i < points.size(); ++i)
     sites[i].at = {points[i][0], points[i][1], points[i][2]};
   // Uniform points make 6.8 cells each, scanned surfaces 6 to 9. Memory that
@@ -24,16 +42,6 @@ void Mesh3::make_room(std::size_t n) {
   if (n > kMaxCells)
     throw std::length_error("Delaunay triangulation has over 2^30 cells");
   cells.resize(std::min(std::max(n, 2 * cells.size()), kMaxCells));
-}
-
-std::vector<VertexId> Part::select(std::span<const VertexId> vertices) const {
-  const auto low = std::ranges::lower_bound(vertices, VertexId{low_});
-  const auto high =
-      std::ranges::lower_bound(low, vertices.end(), VertexId{low_ + size_});
-  if (!is_outside_) return {low, high};
-  std::vector<VertexId> result(high, vertices.end());
-  result.insert(result.end(), vertices.begin(), low);
-  return result;
 }
 
 void Mesh3::link(Facet a, Facet b) {

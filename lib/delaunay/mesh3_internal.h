@@ -2,7 +2,6 @@
 /// A 3D triangulation under construction: what its inserters share.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -11,6 +10,7 @@
 
 #include "delaunay/cell_vector.h"
 #include "delaunay/triangulation3.h"
+#include "predicates/lattice.h"
 
 namespace delaunay {
 
@@ -40,8 +40,9 @@ struct Mesh3 {
   static bool is_cell(const Cell& c) { return c.vertex[0] != kInfinite; }
   static void remove(Cell& c) { c.vertex[0] = kInfinite; }
 
-  std::vector<Site> sites;  // by vertex
-  LazyVector<Cell> cells;   // used and unused ones
+  std::vector<Site> sites;      // by vertex
+  predicates::Lattice lattice;  // on which all sites lie, if there is one
+  LazyVector<Cell> cells;       // used and unused ones
 
  private:
   void link(Facet a, Facet b);
@@ -50,32 +51,47 @@ struct Mesh3 {
   std::size_t gather(std::size_t first, Keep keep);
 };
 
-/// Vertices whose cells one inserter may change: an interval of the ids, which
-/// follow a Hilbert curve, or all but an interval, joined over the curve's
-/// ends.
+/// Vertices that one inserter may use while others use the other parts. What
+/// it may read and write then is proved in docs/delaunay.md, "Threads".
 class Part {
  public:
-  /// From `begin` up to `end`, over the last and the first id if it is not
-  /// above `begin`.
-  Part(std::uint32_t begin, std::uint32_t end)
-      : low_(std::min(begin, end)),
-        size_(std::max(begin, end) - low_),
-        is_outside_(end <= begin) {}
+  /// @param part_of_vertex  must outlive this object
+  /// @param number          of this part
+  Part(std::span<const std::uint8_t> part_of_vertex, std::uint8_t number)
+      : part_of_vertex_(part_of_vertex.data()), number_(number) {}
 
-  bool holds(VertexId v) const {
-    return (static_cast<std::uint32_t>(v) - low_ < size_) != is_outside_;
+  /// All finite corners are in this part: it may be replaced.
+  bool owns(const Cell& c) const {
+    return part(c, 0) == number_ && part(c, 1) == number_ &&
+           part(c, 2) == number_ && (c.is_infinite() || part(c, 3) == number_);
   }
-  /// Whether all finite corners are in the part.
-  bool holds(const Cell& c) const {
-    return holds(c.vertex[0]) && holds(c.vertex[1]) && holds(c.vertex[2]) &&
-           (c.is_infinite() || holds(c.vertex[3]));
+  /// No one else owns it: it will not be replaced.
+  bool may_visit(const Cell& c) const {
+    const std::uint8_t first = part(c, 0);
+    return first == number_ || part(c, 1) != first || part(c, 2) != first ||
+           (!c.is_infinite() && part(c, 3) != first);
   }
-  /// Those it holds of some in ascending order; in the order of the part.
-  std::vector<VertexId> select(std::span<const VertexId> vertices) const;
+  /// No one else owns the facet: what lies across will not be replaced.
+  /// @param c  finite
+  bool may_cross(const Cell& c, unsigned facet) const {
+    const auto& [i, j, k] = kFacetCorners[facet];
+    const std::uint8_t first = part(c, i);
+    return first == number_ || part(c, j) != first || part(c, k) != first;
+  }
 
  private:
-  std::uint32_t low_, size_;
-  bool is_outside_;
+  std::uint8_t part(const Cell& c, unsigned corner) const {
+    return part_of_vertex_[index(c.vertex[corner])];
+  }
+
+  const std::uint8_t* part_of_vertex_;
+  std::uint8_t number_;
+};
+
+/// An inserter without company owns all.
+struct Everything {
+  static constexpr bool owns(const Cell&) { return true; }
+  static constexpr bool may_cross(const Cell&, unsigned) { return true; }
 };
 
 /// Numbers of cells for one of n inserters, in ascending order: every n-th

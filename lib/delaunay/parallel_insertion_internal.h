@@ -11,7 +11,9 @@
 namespace delaunay {
 
 struct InsertionOptions {
-  unsigned threads = 1;
+  static constexpr unsigned kMaxThreads = 255;
+
+  unsigned threads = 1;  // at most kMaxThreads
   /// As many vertices of a round for each thread at least; fewer are not
   /// worth its start.
   std::size_t min_vertices = 4096;

@@ -95,7 +95,8 @@ Triangulation3::Triangulation3(std::span<const Point3> points,
   scale_exponent_ = -exponent;
   InsertionOptions options;
   options.threads = static_cast<unsigned>(std::clamp<std::size_t>(
-      points_.size() / options.min_vertices, 1, std::max(threads, 1U)));
+      points_.size() / options.min_vertices, 1,
+      std::clamp(threads, 1U, InsertionOptions::kMaxThreads)));
   Mesh3 mesh(points_, options.threads);
   n_finite_cells_ =
       insert_all(mesh, frame.vertex, insertion_order(points_.size()), options);
