@@ -19,34 +19,11 @@
 #include <stdexcept>
 
 #include "delaunay/bowyer_watson3_internal.h"
+#include "delaunay/cavity_search_internal.h"
 #include "predicates/predicates.h"
 
 namespace delaunay {
 namespace {
-
-constexpr float kNever = std::numeric_limits<float>::infinity();
-
-// Marks of the insertion under way.
-bool is_in_cavity(const Cell& c) { return std::signbit(c.inside2); }
-bool is_next_to_cavity(const Cell& c) { return std::signbit(c.outside2); }
-void mark_in_cavity(Cell& c) { c.inside2 = -c.inside2; }
-void unmark_in_cavity(Cell& c) { c.inside2 = -c.inside2; }
-void mark_next_to_cavity(Cell& c) { c.outside2 = -std::abs(c.outside2); }
-void unmark_next_to_cavity(Cell& c) { c.outside2 = std::abs(c.outside2); }
-
-double squared_distance(const Cell& cell, const double* p) {
-  const double x = p[0] - cell.center[0];
-  const double y = p[1] - cell.center[1];
-  const double z = p[2] - cell.center[2];
-  return x * x + y * y + z * z;
-}
-
-/// No distance is certain: every test goes to the exact predicate.
-void forget_sphere(Cell& cell) {
-  cell.center = {0, 0, 0};
-  cell.inside2 = 0;
-  cell.outside2 = kNever;
-}
 
 struct Vector {
   double x, y, z;
@@ -57,41 +34,6 @@ Vector cross(const std::array<double, 3>& a, const std::array<double, 3>& b) {
           a[0] * b[1] - a[1] * b[0]};
 }
 
-// Circumsphere of 0, u, v, w, moved to p: centre o + p with
-// o = (|u|^2 v x w + |v|^2 w x u + |w|^2 u x v) / (2 u.(v x w)).
-// The bounds are certain under the four conditions (docs/math.md, "Cached
-// circumsphere"); NaN and overflow fail them.
-template <class Vertex>
-void set_sphere(Cell& cell, const double* p, const Vertex& u, const Vertex& v,
-                const Vertex& w) {
-  static constexpr double kMaxFlatness2 = 0x1p41;
-  static constexpr double kMaxOffset2 = 0x1p56;
-  static constexpr double kMargin = 0x1p-22;
-
-  const Vector vw = cross(v.offset, w.offset);
-  const Vector wu = cross(w.offset, u.offset);
-  const Vector uv = cross(u.offset, v.offset);
-  const double det =
-      u.offset[0] * vw.x + u.offset[1] * vw.y + u.offset[2] * vw.z;
-  const double scale = 0.5 / det;
-  const double x = (u.norm2 * vw.x + v.norm2 * wu.x + w.norm2 * uv.x) * scale;
-  const double y = (u.norm2 * vw.y + v.norm2 * wu.y + w.norm2 * uv.y) * scale;
-  const double z = (u.norm2 * vw.z + v.norm2 * wu.z + w.norm2 * uv.z) * scale;
-  const double r2 = x * x + y * y + z * z;
-  cell.center = {p[0] + x, p[1] + y, p[2] + z};
-  const double size = std::abs(cell.center[0]) + std::abs(cell.center[1]) +
-                      std::abs(cell.center[2]);
-  const double l2 = std::max({u.norm2, v.norm2, w.norm2});
-
-  if (l2 * l2 * l2 < kMaxFlatness2 * (det * det) &&
-      size * size < kMaxOffset2 * r2 && 0x1p-120 < r2 && r2 < 0x1p120) {
-    cell.inside2 = static_cast<float>(r2 * (1 - kMargin));
-    cell.outside2 = static_cast<float>(r2 * (1 + kMargin));
-  } else {
-    forget_sphere(cell);
-  }
-}
-
 }  // namespace
 
 BowyerWatson3::BowyerWatson3(Mesh3& mesh, unsigned number, unsigned n_inserters)
@@ -99,7 +41,9 @@ BowyerWatson3::BowyerWatson3(Mesh3& mesh, unsigned number, unsigned n_inserters)
       sites_(mesh.sites.data()),
       cells_(mesh.cells.data()),
       fresh_(number, n_inserters),
-      link_table_(kLinkTableSide * kLinkTableSide) {}
+      link_table_(kLinkTableSide * kLinkTableSide) {
+  lengthen_lists(64);
+}
 
 void BowyerWatson3::start(const std::array<VertexId, 4>& first) {
   auto [a, b, c, d] = first;
@@ -111,11 +55,11 @@ void BowyerWatson3::start(const std::array<VertexId, 4>& first) {
   const std::array<VertexId, 4> v = {a, b, c, d};
   for (unsigned i = 0; i < 5; ++i) fresh_.take();
   cells_[0].vertex = v;
-  std::array<RimVertex, 3> rest;
-  for (unsigned i = 0; i < 3; ++i) {
-    rest[i] = relative(v[i], at(d));
-  }
-  set_sphere(cells_[0], at(d), rest[0], rest[1], rest[2]);
+  const std::array spokes = {relative(a, at(d)), relative(b, at(d)),
+                             relative(c, at(d))};
+  const SpokeTriple base = {0, 1, 2};
+  const CellId cell{0};
+  set_star_spheres(at(d), {spokes, {&base, 1}, {&cell, 1}}, cells_);
   for (unsigned i = 0; i < 4; ++i) {
     const auto& corner = kFacetCorners[i];
     Cell& outer = cells_[i + 1];
@@ -239,6 +183,13 @@ CellId BowyerWatson3::locate(CellId start, const double* p) const {
 
 // ---- Cavity ----
 
+void BowyerWatson3::prefetch_around(Facet entry) {
+  const Cell& cell = cells_[index(entry.cell())];
+  for (const Facet f : cell.neighbor)
+    __builtin_prefetch(&cells_[index(f.cell())]);
+  __builtin_prefetch(&site(cell.vertex[entry.index()]));
+}
+
 bool BowyerWatson3::in_conflict(const Cell& cell, const double* p) const {
   const double d2 = squared_distance(cell, p);
   if (d2 < cell.inside2) return true;
@@ -249,207 +200,69 @@ bool BowyerWatson3::in_conflict(const Cell& cell, const double* p) const {
 bool BowyerWatson3::in_conflict_exact(const Cell& cell, const double* p) const {
   const auto& v = cell.vertex;
   if (!cell.is_infinite())
-    return predicates::insphere_perturbed(at(v[0]), at(v[1]), at(v[2]),
-                                          at(v[3]), p) > 0;
-  const int side = predicates::orient3d(at(v[0]), at(v[1]), at(v[2]), p);
+    return mesh_.lattice.insphere_perturbed(at(v[0]), at(v[1]), at(v[2]),
+                                            at(v[3]), p) > 0;
+  const int side = mesh_.lattice.orient3d(at(v[0]), at(v[1]), at(v[2]), p);
   if (side != 0) return side > 0;
   // In the plane of a hull facet, the ball beyond it is the disc that the
   // ball on its inner side cuts out, perturbed alike.
   const Cell& inner = cells_[index(cell.neighbor[3].cell())];
-  return predicates::insphere_perturbed(
+  return mesh_.lattice.insphere_perturbed(
              at(inner.vertex[0]), at(inner.vertex[1]), at(inner.vertex[2]),
              at(inner.vertex[3]), p) > 0;
 }
 
-// Ends with false, and marks in place, where the cavity leaves the region.
+// The boundary is a triangulated sphere: n facets have n / 2 + 2 corners. One
+// more is written, and not counted.
+void BowyerWatson3::lengthen_lists(std::size_t n) {
+  cavity_.resize(n);
+  boundary_.resize(n);
+  star_.resize(n);
+  corners_.resize(n);
+  rim_.resize(n / 2 + 3);
+  spokes_.resize(n / 2 + 3);
+}
+
+// Breadth first, through all facets of each cell but the one it was entered
+// by. Ends with false, and marks in place, where the cavity leaves the region.
 template <class Region>
 bool BowyerWatson3::find_cavity(CellId seed, const double* p,
                                 const Region& region) {
-  cavity_.clear();
-  boundary_.clear();
-  const auto take = [this](CellId c, Cell& cell) {
-    mark_in_cavity(cell);
-    cavity_.push_back(c);
-    for (const Facet f : cell.neighbor)
-      __builtin_prefetch(&cells_[index(f.cell())]);
-  };
-  take(seed, cells_[index(seed)]);
-  for (std::size_t k = 0; k < cavity_.size(); ++k) {
-    if (!region.owns(cells_[index(cavity_[k])])) return false;
-    const auto neighbor = cells_[index(cavity_[k])].neighbor;
-    for (const Facet f : neighbor) {
-      Cell& cell = cells_[index(f.cell())];
-      if (is_in_cavity(cell)) continue;
-      if (!is_next_to_cavity(cell)) {
-        if (in_conflict(cell, p)) {
-          __builtin_prefetch(&site(cell.vertex[f.index()]));
-          take(f.cell(), cell);
-          continue;
-        }
-        mark_next_to_cavity(cell);
-      }
-      boundary_.push_back(f);
+  CavitySearch search{.cells = cells_,
+                      .cavity = cavity_.data(),
+                      .boundary = boundary_.data(),
+                      .p = {p[0], p[1], p[2]}};
+  search.add(Facet(seed, 0), true);
+  std::size_t k = 0;
+  for (; k < search.n_cavity; ++k) {
+    if (search.needed_room() > cavity_.size()) [[unlikely]] {
+      lengthen_lists(2 * cavity_.size());
+      search.cavity = cavity_.data();
+      search.boundary = boundary_.data();
     }
+    prefetch_around(search.ahead(k));
+    const Facet entry = search.cavity[k];
+    const Cell& cell = cells_[index(entry.cell())];
+    if (!region.owns(cell)) break;
+    const auto neighbor = cell.neighbor;
+    std::uint32_t undecided = 0;
+    if (k == 0) undecided = search.look(neighbor[0]);
+    for (unsigned i = 1; i < 4; ++i)
+      undecided |= search.look(neighbor[(entry.index() + i) % 4]);
+    if (undecided == 0) [[likely]]
+      continue;
+    for (const Facet f : neighbor)
+      if (!search.has_seen(f))
+        search.add(f, in_conflict_exact(cells_[index(f.cell())], p));
   }
-  return true;
+  n_cavity_ = search.n_cavity;
+  n_boundary_ = search.n_boundary;
+  return k == search.n_cavity;
 }
 
 void BowyerWatson3::forget_cavity() {
-  for (const CellId c : cavity_) unmark_in_cavity(cells_[index(c)]);
-  for (const Facet f : boundary_)
-    unmark_next_to_cavity(cells_[index(f.cell())]);
-}
-
-// ---- Star ----
-
-void BowyerWatson3::link(Facet a, Facet b) {
-  cells_[index(a.cell())].neighbor[a.index()] = b;
-  cells_[index(b.cell())].neighbor[b.index()] = a;
-}
-
-BowyerWatson3::RimVertex BowyerWatson3::relative(VertexId v,
-                                                 const double* p) const {
-  const double* q = at(v);
-  const double x = q[0] - p[0];
-  const double y = q[1] - p[1];
-  const double z = q[2] - p[2];
-  return {v, {x, y, z}, x * x + y * y + z * z};
-}
-
-inline std::uint32_t BowyerWatson3::rim_position(VertexId v, VertexId apex) {
-  Site& s = site(v);
-  if (s.rim_of == apex) return s.rim_position;
-  s.rim_of = apex;
-  s.rim_position = n_rim_;
-  rim_[n_rim_] =
-      v == kInfinite ? RimVertex{v, {0, 0, 0}, 0} : relative(v, at(apex));
-  return n_rim_++;
-}
-
-/// How many cells the star needs that were never used.
-std::size_t BowyerWatson3::n_fresh_cells() const {
-  const std::size_t n_known = cavity_.size() + free_.size();
-  return boundary_.size() - std::min(boundary_.size(), n_known);
-}
-
-// The cells of the star: first those of the cavity, then freed ones, then new
-// ones. After this nothing is allocated until the star is complete.
-void BowyerWatson3::allocate_star() {
-  const std::size_t n = boundary_.size();
-  star_.resize(n);
-  const std::size_t n_reused = std::min(n, cavity_.size());
-  std::copy_n(cavity_.begin(), n_reused, star_.begin());
-  std::size_t k = n_reused;
-  for (; k < n && !free_.empty(); ++k) {
-    star_[k] = free_.back();
-    free_.pop_back();
-  }
-  for (; k < n; ++k) star_[k] = fresh_.take();
-  for (k = n_reused; k < cavity_.size(); ++k) {
-    Mesh3::remove(cells_[index(cavity_[k])]);
-    free_.push_back(cavity_[k]);
-  }
-  // The rim is a triangulated sphere: n facets have n / 2 + 2 corners.
-  if (rim_.size() < n / 2 + 2) rim_.resize(n + 2);
-  if (facets_.size() < n) facets_.resize(2 * n);
-}
-
-// Slots of the corners and of the apex in the new cell: (a, b, c, apex), or,
-// with c infinite, its even permutation (a, apex, b, infinite).
-namespace {
-constexpr std::array<std::array<std::uint8_t, 4>, 2> kSlots = {
-    {{0, 1, 2, 3}, {0, 2, 3, 1}}};
-}  // namespace
-
-inline void BowyerWatson3::make_star_cell(std::size_t k, VertexId apex) {
-  const double* p = at(apex);
-  const Facet outside = boundary_[k];
-  Cell& outer = cells_[index(outside.cell())];
-  unmark_next_to_cavity(outer);
-  const auto& corner = kFacetCorners[outside.index()];
-  std::array<VertexId, 3> v = {outer.vertex[corner[0]], outer.vertex[corner[1]],
-                               outer.vertex[corner[2]]};
-  const bool is_infinite = outer.is_infinite() && outside.index() != 3;
-  if (is_infinite) [[unlikely]]
-    while (v[2] != kInfinite) std::rotate(v.begin(), v.begin() + 1, v.end());
-
-  const std::uint32_t a = rim_position(v[0], apex);
-  const std::uint32_t b = rim_position(v[1], apex);
-  const std::uint32_t c = rim_position(v[2], apex);
-  facets_[k] = {{a, b, c}, is_infinite};
-  const CellId star = star_[k];
-  Cell& cell = cells_[index(star)];
-  const unsigned apex_slot = kSlots[is_infinite ? 1 : 0][3];
-  cell.neighbor[apex_slot] = outside;
-  outer.neighbor[outside.index()] = Facet(star, apex_slot);
-  if (is_infinite) [[unlikely]] {
-    cell.vertex = {v[0], apex, v[1], kInfinite};
-    forget_sphere(cell);
-  } else {
-    cell.vertex = {v[0], v[1], v[2], apex};
-    set_sphere(cell, p, rim_[a], rim_[b], rim_[c]);
-  }
-}
-
-void BowyerWatson3::fill_cavity(VertexId apex) {
-  allocate_star();
-  n_rim_ = 0;
-  std::size_t n = boundary_.size();
-  for (std::size_t k = 0; k < n; ++k) make_star_cell(k, apex);
-  if (n_rim_ <= kLinkTableSide)
-    link_star();
-  else
-    link_large_star();
-  do hint_ = star_[--n];
-  while (cells_[index(hint_)].is_infinite());
-}
-
-Facet BowyerWatson3::star_facet(std::size_t k, unsigned corner) const {
-  return {star_[k], kSlots[facets_[k].is_infinite ? 1 : 0][corner]};
-}
-
-// Two star cells share a facet over each edge of the cavity's boundary, which
-// is a sphere: its directed edges (i, j) and (j, i) lie on one rim facet each.
-// Every entry that is read was written in this insertion, so none is cleared.
-void BowyerWatson3::link_star() {
-  constexpr std::size_t kSide = kLinkTableSide;
-  Facet* const opposite = link_table_.data();
-  const std::size_t n = boundary_.size();
-  for (std::size_t k = 0; k < n; ++k) {
-    const auto [a, b, c] = facets_[k].corner;
-    opposite[a * kSide + b] = star_facet(k, 2);
-    opposite[b * kSide + c] = star_facet(k, 0);
-    opposite[c * kSide + a] = star_facet(k, 1);
-  }
-  for (std::size_t k = 0; k < n; ++k) {
-    const auto [a, b, c] = facets_[k].corner;
-    Cell& cell = cells_[index(star_[k])];
-    const auto& slot = kSlots[facets_[k].is_infinite ? 1 : 0];
-    cell.neighbor[slot[2]] = opposite[b * kSide + a];
-    cell.neighbor[slot[0]] = opposite[c * kSide + b];
-    cell.neighbor[slot[1]] = opposite[a * kSide + c];
-  }
-}
-
-void BowyerWatson3::link_large_star() {
-  struct Edge {
-    std::uint64_t ends;
-    Facet opposite;
-  };
-  std::vector<Edge> edges;
-  edges.reserve(3 * boundary_.size());
-  for (std::size_t k = 0; k < boundary_.size(); ++k)
-    for (unsigned i = 0; i < 3; ++i) {
-      const std::uint64_t a = facets_[k].corner[(i + 1) % 3];
-      const std::uint64_t b = facets_[k].corner[(i + 2) % 3];
-      edges.push_back(
-          {std::min(a, b) << 32U | std::max(a, b), star_facet(k, i)});
-    }
-  std::ranges::sort(edges, {}, &Edge::ends);
-  for (std::size_t k = 0; k < edges.size(); k += 2) {
-    assert(edges[k].ends == edges[k + 1].ends);
-    link(edges[k].opposite, edges[k + 1].opposite);
-  }
+  for (const Facet f : cavity()) unmark(cells_[index(f.cell())].inside2);
+  for (const Facet f : boundary()) unmark(cells_[index(f.cell())].outside2);
 }
 
 // ---- End ----

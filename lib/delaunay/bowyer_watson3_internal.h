@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "delaunay/mesh3_internal.h"
+#include "delaunay/star_spheres_internal.h"
 #include "delaunay/triangulation3.h"
 
 namespace delaunay {
@@ -52,19 +53,6 @@ class alignas(128) BowyerWatson3 {  // shares no cache line with another
   void remove_unused(std::size_t end);
 
  private:
-  /// A facet between the cavity and the cell outside it: its corners as
-  /// positions in `rim_`, counter-clockwise seen from inside the cavity; the
-  /// infinite vertex, if any, is corner 2.
-  struct RimFacet {
-    std::array<std::uint32_t, 3> corner;
-    bool is_infinite;
-  };
-  /// A vertex of the cavity, relative to the point that is inserted.
-  struct RimVertex {
-    VertexId id;
-    std::array<double, 3> offset;
-    double norm2;
-  };
   using Site = Mesh3::Site;
 
   template <bool kExact, class Region>
@@ -78,19 +66,30 @@ class alignas(128) BowyerWatson3 {  // shares no cache line with another
   bool in_conflict_exact(const Cell& cell, const double* p) const;
   template <class Region>
   bool find_cavity(CellId seed, const double* p, const Region& region);
+  void prefetch_around(Facet entry);
+  void lengthen_lists(std::size_t n);
   void forget_cavity();
+  std::span<const Facet> cavity() const { return {cavity_.data(), n_cavity_}; }
+  std::span<const Facet> boundary() const {
+    return {boundary_.data(), n_boundary_};
+  }
 
   std::size_t n_fresh_cells() const;
   void fill_cavity(VertexId apex);
   void allocate_star();
-  void make_star_cell(std::size_t k, VertexId apex);
-  std::uint32_t rim_position(VertexId v, VertexId apex);
-  RimVertex relative(VertexId v, const double* p) const;
-  void link_star();
+  void make_star_cells(VertexId apex);
+  Spoke relative(VertexId v, const double* p) const;
+  using Slots = std::array<std::uint8_t, 4>;
+  Slots slots(std::size_t k) const;
+  template <class SlotsOf>
+  void link_star(const SlotsOf& slots_of);
   void link_large_star();
   void link(Facet a, Facet b);
-  Facet star_facet(std::size_t k, unsigned corner) const;
 
+  /// What Site::rim_place holds in its upper half during an insertion.
+  static std::uint64_t stamp(VertexId apex) {
+    return std::uint64_t{index(apex)} << 32U;
+  }
   const double* at(VertexId v) const { return sites_[index(v)].at.data(); }
   Site& site(VertexId v) {
     return v == kInfinite ? infinite_site_ : sites_[index(v)];
@@ -106,14 +105,18 @@ class alignas(128) BowyerWatson3 {  // shares no cache line with another
   bool lacks_room_ = false;
   CellId hint_{};  // near the vertex inserted last, inside the hull
 
-  // Of the insertion under way; kept to reuse their memory. Rim facet k is
-  // boundary_[k] seen from the cavity, and star_[k] the new cell on it.
-  std::vector<CellId> cavity_;
+  // Of the insertion under way; kept to reuse their memory, and made longer
+  // together. Star cell k lies on boundary_[k]; its corners are in
+  // counter-clockwise order seen from the cavity, an infinite one the last.
+  std::vector<Facet> cavity_;  // each cell through the facet of its entry
   std::vector<Facet> boundary_;
+  std::size_t n_cavity_ = 0;  // so many are in use
+  std::size_t n_boundary_ = 0;
   std::vector<CellId> star_;
-  std::vector<RimFacet> facets_;
-  std::vector<RimVertex> rim_;
-  std::uint32_t n_rim_ = 0;
+  std::vector<SpokeTriple> corners_;  // positions in rim_ and spokes_
+  std::vector<VertexId> rim_;
+  std::vector<Spoke> spokes_;
+  std::size_t n_rim_ = 0;
   static constexpr std::size_t kLinkTableSide = 64;
   std::vector<Facet> link_table_;  // by pair of rim positions
 };

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <bit>
+#include <cmath>
 #include <stdexcept>
 
 #include "delaunay/mesh3_internal.h"
@@ -8,10 +10,26 @@ namespace {
 
 constexpr std::size_t kMaxCells = std::size_t{1} << 30U;
 
+/// The lattice of the largest power of two that divides all coordinates; none
+/// if they are not multiples of 2^-40 below 2^22.
+predicates::Lattice find_lattice(std::span<const Point3> points) {
+  constexpr double kFinest = 0x1p-40;
+  std::uint64_t bits = 0;
+  for (const Point3& p : points)
+    for (const double x : p) {
+      const double multiple = std::abs(x) / kFinest;
+      if (!(multiple < 0x1p62)) return predicates::Lattice();
+      const auto n = static_cast<std::uint64_t>(multiple);
+      if (static_cast<double>(n) != multiple) return predicates::Lattice();
+      bits |= n;
+    }
+  return predicates::Lattice(std::ldexp(kFinest, std::countr_zero(bits)));
+}
+
 }  // namespace
 
 Mesh3::Mesh3(std::span<const Point3> points, unsigned n_inserters)
-    : sites(points.size()) {
+    : sites(points.size()), lattice(find_lattice(points)) {
   for (std::size_t i = 0; i < points.size(); ++i)
     sites[i].at = {points[i][0], points[i][1], points[i][2]};
   // Uniform points make 6.8 cells each, scanned surfaces 6 to 9. Memory that

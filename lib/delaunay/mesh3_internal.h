@@ -10,16 +10,17 @@
 
 #include "delaunay/cell_vector.h"
 #include "delaunay/triangulation3.h"
+#include "predicates/lattice.h"
 
 namespace delaunay {
 
 struct Mesh3 {
-  /// A vertex, and its place on the rim of the cavity that the vertex
-  /// `rim_of` was inserted into, in half a cache line.
+  /// A vertex, and its place on the rim of a cavity in the lower half of
+  /// `rim_place`; in the upper half, which vertex was inserted there. Half a
+  /// cache line.
   struct alignas(32) Site {
     std::array<double, 3> at;
-    VertexId rim_of = kInfinite;
-    std::uint32_t rim_position = 0;
+    std::uint64_t rim_place = ~std::uint64_t{0};
   };
 
   /// @param points  distinct; quickest if their coordinates fill [-1, 1], for
@@ -39,8 +40,9 @@ struct Mesh3 {
   static bool is_cell(const Cell& c) { return c.vertex[0] != kInfinite; }
   static void remove(Cell& c) { c.vertex[0] = kInfinite; }
 
-  std::vector<Site> sites;  // by vertex
-  LazyVector<Cell> cells;   // used and unused ones
+  std::vector<Site> sites;      // by vertex
+  predicates::Lattice lattice;  // on which all sites lie, if there is one
+  LazyVector<Cell> cells;       // used and unused ones
 
  private:
   void link(Facet a, Facet b);
