@@ -111,6 +111,8 @@ FilterResult umbrella_filter(std::size_t n_vertices,
     for (const TriangleIndex t : umbrella) chosen[t] = true;
   }
 
+  result.triangles.reserve(
+      static_cast<std::size_t>(std::count(chosen.begin(), chosen.end(), true)));
   for (TriangleIndex t = 0; t < triangles.size(); ++t)
     if (chosen[t]) result.triangles.push_back(triangles[t]);
   return result;
