@@ -65,7 +65,7 @@ struct FacetView {
     const VertexId far = there.vertex[beyond.index()];
     points[3] = &t.point(is_beyond ? far : near);
     // Squared radii lie within a 2^-22 part of what is cached, and are computed
-    // to a 2^-31 part: beyond such a gap there is no rival.
+    // to a 2^-35 part: beyond such a gap there is no rival.
     constexpr double kGap = 1 + 0x1p-20;
     if (!on_hull && std::max(here.inside2, there.inside2) <=
                         kGap * std::min(here.outside2, there.outside2))

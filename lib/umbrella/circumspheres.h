@@ -12,7 +12,7 @@
 namespace umbrella {
 
 /// Squares of circumradii, in the squared unit of 1 / Circumspheres::scale();
-/// relative errors below 2^-31.
+/// relative errors below 2^-35.
 struct FacetRadii {
   double triangle;
   double larger_cell;  ///< of the two at the facet; infinite on the hull
@@ -27,7 +27,7 @@ class Circumspheres {
   explicit Circumspheres(const delaunay::Triangulation3& triangulation);
 
   /// Square of the circumradius of a cell, in the squared unit of
-  /// 1 / scale(); relative error below 2^-31. Infinite beyond the hull.
+  /// 1 / scale(); relative error below 2^-35. Infinite beyond the hull.
   double squared_radius(delaunay::CellId c) const;
 
   /// Both radii of each facet. Many at once take half the time.

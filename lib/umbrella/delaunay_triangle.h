@@ -63,7 +63,7 @@ class DelaunayTriangle {
   /// No sample point lies in the open diametral ball; exact.
   bool is_gabriel() const { return spheres_->is_gabriel(facet_); }
 
-  /// Relative error below 2^-30, and far less for triangles and cells that
+  /// Relative error below 2^-34, and far less for triangles and cells that
   /// are not needles or slivers. See exact_...() for the last bit.
   LambdaInterval lambda() const;
   /// Square of the lower bound of lambda().

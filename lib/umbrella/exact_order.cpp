@@ -58,11 +58,11 @@ class StepTable {
   static constexpr std::size_t kPlaces = 16;
 
   /// The ends of an interval of a relative width just above kNearTie, so that
-  /// those of near numbers meet. A step keeps 25 bits of the fraction: it is
+  /// those of near numbers meet. A step keeps 29 bits of the fraction: it is
   /// wider than any such interval, which therefore lies on two at most.
   static std::pair<std::uint64_t, std::uint64_t> steps(double x) {
-    constexpr double kHalfWidth = (1 + 0x1p-20) * kNearTie / 2;
-    constexpr unsigned kDropped = 27;
+    constexpr double kHalfWidth = (1 + 0x1p-16) * kNearTie / 2;
+    constexpr unsigned kDropped = 23;
     return {bits(x * (1 - kHalfWidth)) >> kDropped,
             bits(x * (1 + kHalfWidth)) >> kDropped};
   }

@@ -11,7 +11,7 @@
 namespace umbrella {
 
 /// Twice what a rank may be off by, relatively.
-inline constexpr double kNearTie = 0x1p-28;
+inline constexpr double kNearTie = 0x1p-32;
 
 /// Changes ranks that are off by less than kNearTie / 2 so that their order is
 /// that of the exact ones, and equal ones are equal. Ranks must not be
