@@ -69,6 +69,7 @@ struct Reconstruction {
   ReconstructCounts counts;
   ClosingReport closing;
   std::vector<std::uint32_t> dropped_rows;  ///< left out to close, ascending
+  std::vector<DropReason> drop_reasons;     ///< of dropped_rows
   /// Certificate of `triangles`, over the distinct points; its
   /// unused_vertices are rows of the input.
   SurfaceReport surface;
