@@ -219,8 +219,10 @@ void add_closing_options(CLI::App& sub, Request& request) {
               {"best", umbrella::CloseMode::Best},
               {"paper", umbrella::CloseMode::Paper}}))
       ->type_name("MODE");
-  sub.add_option("--time-limit", request.time_limit,
-                 "Seconds for closing; regions undecided by then stay open")
+  sub.add_option(
+         "--time-limit", request.time_limit,
+         "Seconds for closing; regions undecided by then are closed by cell "
+         "labels")
       ->check(seconds_problem)
       ->type_name("S");
 }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <stdexcept>
 
 #include "apps/interrupt.h"
@@ -46,6 +47,18 @@ void require_space(const Request& request,
                     : "all points lie in one plane"));
 }
 
+// Each point left out, and why.
+Json dropped_report(const umbrella::Reconstruction& result) {
+  Json list = Json::array();
+  for (std::size_t i = 0; i < result.dropped_rows.size(); ++i) {
+    const bool is_proven =
+        result.drop_reasons[i] == umbrella::DropReason::NoSolution;
+    list.push_back({{"row", result.dropped_rows[i]},
+                    {"reason", is_proven ? "no solution" : "limit"}});
+  }
+  return list;
+}
+
 Json stages_report(const Request& request,
                    const umbrella::Reconstruction& result) {
   const umbrella::ReconstructCounts& n = result.counts;
@@ -72,8 +85,10 @@ Json stages_report(const Request& request,
                      {"feasible", c.feasible},
                      {"infeasible", c.infeasible},
                      {"undecided", c.undecided},
+                     {"labelled", c.labelled},
                      {"grown", c.grown},
                      {"dropped_points", result.dropped_rows},
+                     {"dropped", dropped_report(result)},
                      {"conflicts", c.conflicts},
                      {"interrupted", terminal::Interrupt::flag().load()}};
   return json;
@@ -132,8 +147,11 @@ Outcome reconstruct_surface(const io::PointSet& points, const Request& request,
   if (n_unused > 0)
     outcome.summary += ", " + std::to_string(n_unused) + " points unused";
   outcome.state = state_of(result.surface);
-  outcome.sound = result.surface.closed && result.surface.manifold &&
-                  result.closing.undecided == 0;
+  outcome.sound =
+      result.surface.closed && result.surface.manifold &&
+      !terminal::Interrupt::flag() &&
+      std::count(result.drop_reasons.begin(), result.drop_reasons.end(),
+                 umbrella::DropReason::Limit) == 0;
   outcome.lambda = std::move(result.lambda);
   return outcome;
 }

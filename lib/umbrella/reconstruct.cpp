@@ -64,9 +64,12 @@ class Pipeline {
   void finish(const Triangulation3& triangulation, const Circumspheres& spheres,
               std::span<const LocatedTriangle> triangles);
 
+  void list_dropped(std::span<const std::uint32_t> row);
+
   const ReconstructOptions& options_;
   Method method_;
   std::vector<VertexId> dropped_;
+  std::vector<DropReason> reasons_;
   Reconstruction result_;
 };
 
@@ -109,6 +112,7 @@ std::vector<LocatedTriangle> Pipeline::triangles_of(
   });
   result_.closing = closed.report;
   dropped_ = std::move(closed.dropped);
+  reasons_ = std::move(closed.reasons);
   return std::move(closed.triangles);
 }
 
@@ -219,11 +223,21 @@ void Pipeline::finish(const Triangulation3& triangulation,
   for (std::uint32_t& v : result_.surface.unused_vertices) v = row[v];
   std::sort(result_.surface.unused_vertices.begin(),
             result_.surface.unused_vertices.end());
-  for (const VertexId v : dropped_)
-    result_.dropped_rows.push_back(row[index(v)]);
-  std::sort(result_.dropped_rows.begin(), result_.dropped_rows.end());
+  list_dropped(row);
   for (const IndexedTriangle& t : vertices)
     result_.triangles.push_back({row[t[0]], row[t[1]], row[t[2]]});
+}
+
+/// Rows ascending, each with its reason.
+void Pipeline::list_dropped(std::span<const std::uint32_t> row) {
+  std::vector<std::pair<std::uint32_t, DropReason>> dropped;
+  for (std::size_t i = 0; i < dropped_.size(); ++i)
+    dropped.emplace_back(row[index(dropped_[i])], reasons_[i]);
+  std::sort(dropped.begin(), dropped.end());
+  for (const auto& [r, reason] : dropped) {
+    result_.dropped_rows.push_back(r);
+    result_.drop_reasons.push_back(reason);
+  }
 }
 
 }  // namespace

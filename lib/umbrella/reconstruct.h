@@ -84,6 +84,7 @@ struct Reconstruction {
   FaceCounts faces;  ///< of ReconstructOptions::faces
   ClosingReport closing;
   std::vector<std::uint32_t> dropped_rows;  ///< left out to close, ascending
+  std::vector<DropReason> drop_reasons;     ///< of dropped_rows
   /// Certificate of `triangles`, over the distinct points; its
   /// unused_vertices are rows of the input.
   SurfaceReport surface;

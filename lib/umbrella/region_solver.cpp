@@ -78,6 +78,13 @@ Attempt RegionSolver::attempt(const Region& region, Effort& effort,
   return std::move(work.result);
 }
 
+bool RegionSolver::closes_small_piece(const Attempt& solved) {
+  return options_.mode == CloseMode::Best &&
+         !piece_finder_
+              .find({solved.freed, solved.chosen, solved.vertices}, is_open_)
+              .empty();
+}
+
 std::vector<VertexId> RegionSolver::vertices(const Region& region) {
   std::vector<VertexId> result = region.vertices;
   for (const auto& c : neighborhoods_.candidates(region))

@@ -74,6 +74,10 @@ class RegionSolver {
   Attempt attempt(const Region& region, Effort& effort,
                   const AttemptOptions& how = {});
 
+  /// Whether it would close a small piece, on the surface as it is now. May say
+  /// so of a solved attempt once other regions are done with.
+  bool closes_small_piece(const Attempt& solved);
+
   /// All vertices the program of the region would have; ascending.
   std::vector<VertexId> vertices(const Region& region);
 
