@@ -7,6 +7,7 @@
 #include "umbrella/criteria.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -15,8 +16,6 @@
 #include <fstream>
 #include <iostream>
 #include <map>
-#include <optional>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -142,15 +141,17 @@ const std::vector<std::string> kColumns = {
     "unused",    "genus",  "true genus", "right",      "mean",
     "hausdorff", "seconds"};
 
+/// Three digits, and no exponent.
+std::string number(double x) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), x < 100 ? "%.3g" : "%.0f", x);
+  return text.data();
+}
+
 std::vector<std::string> cells(const Row& row) {
   const auto& n = row.result.counts;
   const auto& closing = row.result.closing;
   const auto& surface = row.result.surface;
-  const auto number = [](double x) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.3g", x);
-    return std::string(text.data());
-  };
   return {row.data->shape,
           std::to_string(row.data->n_points),
           number(row.data->noise),
@@ -214,10 +215,7 @@ struct Summary {
 
   std::vector<std::string> cells(const std::string& way) const {
     const auto average = [this](double sum) {
-      std::array<char, 32> text{};
-      std::snprintf(text.data(), text.size(), "%.3g",
-                    sum / static_cast<double>(n));
-      return std::string(text.data());
+      return number(sum / static_cast<double>(n));
     };
     return {way,
             std::to_string(right) + " of " + std::to_string(n),

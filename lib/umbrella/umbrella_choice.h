@@ -26,8 +26,9 @@ UmbrellaChoice umbrella_choice(std::string_view name);
 
 /// As umbrella_filter(), with the given choice at each vertex. Of umbrellas
 /// that are equally good the one found first is taken, in the order of
-/// `triangles`. The cost of a vertex with k triangles grows as k^2 log k, but
-/// for `Flattest` on scattered points, where it may be far more.
+/// `triangles`. The search is exact, but it ends after 20000 steps at a vertex
+/// with the best umbrella so far, which is met by `Flattest` only, and only
+/// where many triangles that are not Gabriel are admitted.
 ///
 /// @param points  corners are positions in it
 /// @param triangles  distinct; primary ranks not negative
