@@ -69,7 +69,7 @@ double intersection_ratio(const std::array<double, 2>& squared_lambdas,
 
 Rank MixedCriterion::rank(const DelaunayTriangle& t) const {
   const double r2 = t.squared_circumradius();
-  const double lambda2 = t.squared_lambda_lower(r2);
+  const double lambda2 = t.squared_lambda_lower();
   const double shape = power(lambda2, lambda_power);
   // Not 0 times a power that has overflowed: that is no number.
   return {shape == 0 ? 0 : shape * power(r2, radius_power), r2};
