@@ -124,93 +124,131 @@ std::vector<bool> HoleMaker::patch(std::size_t n, std::uint64_t seed) const {
 HoleProgram HoleMaker::hole(std::size_t n, std::uint64_t seed,
                             bool with_sides) const {
   const std::vector<bool> is_in = patch(n, seed);
-  const auto n_in = [&is_in](const Located& t) {
-    return std::ranges::count_if(t.corners,
-                                 [&is_in](auto v) { return is_in[index(v)]; });
-  };
   HoleProgram hole;
   hole.n_vertices = static_cast<std::size_t>(std::ranges::count(is_in, true));
+  const std::vector<VarId> var_of = add_triangles(is_in, hole);
+  add_pairs(is_in, var_of, hole.problem);
+  add_rings(is_in, var_of, hole.problem);
+  if (with_sides) add_sides(var_of, hole.problem);
+  return hole;
+}
+
+// Free are those with three corners in the hole; those of the surface with one
+// or two stay.
+std::vector<VarId> HoleMaker::add_triangles(const std::vector<bool>& is_in,
+                                            HoleProgram& hole) const {
   std::vector<VarId> var_of(triangles_.size(), kNoVariable);
   std::vector<double> radius;
-  std::map<std::array<std::size_t, 2>, std::vector<VarId>> pairs;
-  std::map<std::size_t, std::vector<std::size_t>> at_vertex;
   for (std::size_t i = 0; i < triangles_.size(); ++i) {
     const Located& t = triangles_[i];
-    const bool is_free = n_in(t) == 3;
-    if (!is_free && (!t.in_surface || n_in(t) == 0)) continue;
+    const auto n_in = std::ranges::count_if(
+        t.corners, [&is_in](auto v) { return is_in[index(v)]; });
+    if (n_in < 3 && (!t.in_surface || n_in == 0)) continue;
     var_of[i] = hole.problem.add_variable();
     hole.old.push_back(t.in_surface);
     hole.weights.push_back(std::llround(1e6 * t.area));
     radius.push_back(t.circumradius2);
-    if (is_free) hole.worst_first.push_back(var_of[i]);
-    if (!is_free) hole.problem.fix(var_of[i], true);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t v = index(t.corners[k]);
-      const std::size_t a = index(t.corners[(k + 1) % 3]);
-      if (is_in[v]) at_vertex[v].push_back(i);
-      if (is_in[v] || is_in[a])
-        pairs[{std::min(v, a), std::max(v, a)}].push_back(var_of[i]);
-    }
+    if (n_in == 3) hole.worst_first.push_back(var_of[i]);
+    if (n_in < 3) hole.problem.fix(var_of[i], true);
   }
-  for (const auto& [edge, vars] : pairs) hole.problem.add_pair(vars);
-  for (const auto& [v, around] : at_vertex) {
-    std::map<std::size_t, std::uint32_t> node;
-    std::vector<Spoke> spokes;
-    for (const std::size_t i : around) {
-      std::vector<std::uint32_t> ends;
-      for (const auto w : triangles_[i].corners)
-        if (index(w) != v)
-          ends.push_back(node.try_emplace(index(w), node.size()).first->second);
-      spokes.push_back({var_of[i], ends[0], ends[1]});
-    }
-    hole.problem.add_ring(spokes);
-  }
-  if (with_sides) add_sides(var_of, hole.problem);
   std::ranges::stable_sort(hole.worst_first, [&radius](VarId a, VarId b) {
     return radius[index(a)] > radius[index(b)];
   });
-  return hole;
+  return var_of;
 }
 
-// Cells on the same side, or on opposite ones, of a triangle that is no
-// variable are one room; `parity` tells which.
-void HoleMaker::add_sides(std::span<const VarId> var_of, Problem& p) const {
-  std::vector<std::uint32_t> parent(n_cells_);
-  std::iota(parent.begin(), parent.end(), 0U);
-  std::vector<std::uint8_t> parity(n_cells_, 0);
-  const auto find = [&](std::uint32_t cell) {
-    std::uint32_t root = cell, side = 0;
-    for (; parent[root] != root; root = parent[root]) side ^= parity[root];
-    for (std::uint32_t s = side; parent[cell] != root && cell != root;) {
-      const std::uint32_t above = parent[cell], own = parity[cell];
-      parent[cell] = root;
-      parity[cell] = static_cast<std::uint8_t>(s);
-      s ^= own;
-      cell = above;
+void HoleMaker::add_pairs(const std::vector<bool>& is_in,
+                          std::span<const VarId> var_of, Problem& p) const {
+  std::map<std::array<std::size_t, 2>, std::vector<VarId>> pairs;
+  for (std::size_t i = 0; i < triangles_.size(); ++i) {
+    if (var_of[i] == kNoVariable) continue;
+    const Triangle& corners = triangles_[i].corners;
+    for (std::size_t k = 0; k < 3; ++k) {
+      // Braces: the other std::minmax refers to its arguments.
+      const auto [a, b] =
+          std::minmax({index(corners[k]), index(corners[(k + 1) % 3])});
+      if (is_in[a] || is_in[b]) pairs[{a, b}].push_back(var_of[i]);
     }
-    return std::pair{root, side};
+  }
+  for (const auto& [edge, vars] : pairs) p.add_pair(vars);
+}
+
+void HoleMaker::add_rings(const std::vector<bool>& is_in,
+                          std::span<const VarId> var_of, Problem& p) const {
+  std::map<std::size_t, std::vector<Spoke>> rings;
+  std::map<std::array<std::size_t, 2>, std::uint32_t> nodes;
+  std::map<std::size_t, std::uint32_t> n_nodes;
+  const auto node = [&](std::size_t v, std::size_t end) {
+    const auto [found, is_new] = nodes.try_emplace({v, end}, n_nodes[v]);
+    if (is_new) ++n_nodes[v];
+    return found->second;
   };
   for (std::size_t i = 0; i < triangles_.size(); ++i) {
-    if (var_of[i] != kNoVariable) continue;
-    const auto [a, side_a] = find(triangles_[i].cells[0]);
-    const auto [b, side_b] = find(triangles_[i].cells[1]);
-    if (a == b) continue;
-    parent[a] = b;
-    parity[a] = static_cast<std::uint8_t>(side_a ^ side_b ^
-                                          (triangles_[i].in_surface ? 1U : 0U));
+    if (var_of[i] == kNoVariable) continue;
+    const Triangle& corners = triangles_[i].corners;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t v = index(corners[k]);
+      if (!is_in[v]) continue;
+      const std::uint32_t a = node(v, index(corners[(k + 1) % 3]));
+      rings[v].push_back({var_of[i], a, node(v, index(corners[(k + 2) % 3]))});
+    }
   }
-  std::map<std::uint32_t, std::uint32_t> room;
+  for (const auto& [v, spokes] : rings) p.add_ring(spokes);
+}
+
+namespace {
+
+/// Cells in groups; each knows whether it lies on the side of its group's
+/// first.
+class Rooms {
+ public:
+  struct Place {
+    std::uint32_t group;
+    std::uint32_t side;
+  };
+
+  explicit Rooms(std::size_t n_cells) : parent_(n_cells), side_(n_cells, 0) {
+    std::iota(parent_.begin(), parent_.end(), 0U);
+  }
+
+  Place find(std::uint32_t cell) {
+    if (parent_[cell] == cell) return {cell, 0};
+    const Place above = find(parent_[cell]);
+    parent_[cell] = above.group;
+    side_[cell] ^= above.side;
+    return {above.group, side_[cell]};
+  }
+
+  void join(std::uint32_t a, std::uint32_t b, bool differ) {
+    const Place at_a = find(a), at_b = find(b);
+    if (at_a.group == at_b.group) return;
+    parent_[at_a.group] = at_b.group;
+    side_[at_a.group] = at_a.side ^ at_b.side ^ (differ ? 1U : 0U);
+  }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+  std::vector<std::uint32_t> side_;  // relative to the parent
+};
+
+}  // namespace
+
+void HoleMaker::add_sides(std::span<const VarId> var_of, Problem& p) const {
+  Rooms rooms(n_cells_);
+  for (std::size_t i = 0; i < triangles_.size(); ++i) {
+    const auto& [a, b] = triangles_[i].cells;
+    if (var_of[i] == kNoVariable) rooms.join(a, b, triangles_[i].in_surface);
+  }
+  std::map<std::uint32_t, std::uint32_t> number;
   std::vector<Wall> walls;
   for (std::size_t i = 0; i < triangles_.size(); ++i) {
     if (var_of[i] == kNoVariable) continue;
-    const auto [a, side_a] = find(triangles_[i].cells[0]);
-    const auto [b, side_b] = find(triangles_[i].cells[1]);
-    const auto number = [&room](std::uint32_t root) {
-      return room.try_emplace(root, static_cast<std::uint32_t>(room.size()))
-          .first->second;
-    };
-    const std::uint32_t room_a = number(a), room_b = number(b);
-    walls.push_back({var_of[i], room_a, room_b, side_a != side_b});
+    const Rooms::Place a = rooms.find(triangles_[i].cells[0]);
+    const Rooms::Place b = rooms.find(triangles_[i].cells[1]);
+    for (const std::uint32_t group : {a.group, b.group})
+      number.try_emplace(group, static_cast<std::uint32_t>(number.size()));
+    walls.push_back(
+        {var_of[i], number[a.group], number[b.group], a.side != b.side});
   }
   p.add_sides(walls);
 }

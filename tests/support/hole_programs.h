@@ -58,6 +58,12 @@ class HoleMaker {
   };
 
   std::vector<bool> patch(std::size_t n, std::uint64_t seed) const;
+  std::vector<ilp::VarId> add_triangles(const std::vector<bool>& is_in,
+                                        HoleProgram& hole) const;
+  void add_pairs(const std::vector<bool>& is_in,
+                 std::span<const ilp::VarId> var_of, ilp::Problem& p) const;
+  void add_rings(const std::vector<bool>& is_in,
+                 std::span<const ilp::VarId> var_of, ilp::Problem& p) const;
   void add_sides(std::span<const ilp::VarId> var_of, ilp::Problem& p) const;
 
   bool is_closed_ = false;

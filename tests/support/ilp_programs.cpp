@@ -239,16 +239,39 @@ std::vector<VarId> random_order(std::mt19937_64& rng, std::size_t n) {
   return order;
 }
 
-std::optional<Model> least_model(const Problem& problem,
-                                 std::span<const VarId> order) {
-  Model model(order.size(), false);
-  std::vector<bool> is_fixed(order.size(), false);
+namespace {
+
+/// The fixed values, the others false; nothing if they contradict each other.
+std::optional<Model> fixed_values(const Problem& problem,
+                                  std::vector<bool>& is_fixed) {
+  Model model(problem.n_variables(), false);
+  is_fixed.assign(problem.n_variables(), false);
   for (const Literal l : problem.fixed()) {
     if (is_fixed[index(l.var())] && model[index(l.var())] != l.value())
       return std::nullopt;
     is_fixed[index(l.var())] = true;
     model[index(l.var())] = l.value();
   }
+  return model;
+}
+
+struct PairBits {
+  int n_fixed_true = 0;
+  std::uint32_t free = 0;
+
+  bool holds(std::uint32_t x) const {
+    const int n_true = n_fixed_true + std::popcount(x & free);
+    return n_true == 0 || n_true == 2;
+  }
+};
+
+}  // namespace
+
+std::optional<Model> least_model(const Problem& problem,
+                                 std::span<const VarId> order) {
+  std::vector<bool> is_fixed;
+  std::optional<Model> model = fixed_values(problem, is_fixed);
+  if (!model) return std::nullopt;
   std::vector<VarId> free;
   for (const VarId v : order)
     if (!is_fixed[index(v)]) free.push_back(v);
@@ -256,24 +279,18 @@ std::optional<Model> least_model(const Problem& problem,
   const std::size_t n = free.size();
   std::vector<std::uint32_t> bit(order.size(), 0);
   for (std::size_t i = 0; i < n; ++i) bit[index(free[i])] = 1U << (n - 1 - i);
-  struct Pair {
-    int n_fixed_true = 0;
-    std::uint32_t free = 0;
-  };
-  std::vector<Pair> pairs(problem.n_pairs());
+  std::vector<PairBits> pairs(problem.n_pairs());
   for (std::size_t p = 0; p < problem.n_pairs(); ++p)
     for (const VarId v : problem.pair(p)) {
       pairs[p].free |= bit[index(v)];
-      if (model[index(v)]) ++pairs[p].n_fixed_true;
+      if ((*model)[index(v)]) ++pairs[p].n_fixed_true;
     }
   for (std::uint32_t x = 0; x < 1U << n; ++x) {
-    if (std::ranges::any_of(pairs, [x](const Pair& pair) {
-          const int n_true = pair.n_fixed_true + std::popcount(x & pair.free);
-          return n_true != 0 && n_true != 2;
-        }))
+    if (!std::ranges::all_of(pairs,
+                             [x](const PairBits& p) { return p.holds(x); }))
       continue;
-    for (const VarId v : free) model[index(v)] = (x & bit[index(v)]) != 0;
-    if (first_violation(problem, model).empty()) return model;
+    for (const VarId v : free) (*model)[index(v)] = (x & bit[index(v)]) != 0;
+    if (first_violation(problem, *model).empty()) return model;
   }
   return std::nullopt;
 }
