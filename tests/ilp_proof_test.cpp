@@ -57,6 +57,14 @@ TEST(ProofChecker, FollowsEachKindOfConstraint) {
   EXPECT_EQ(flaw(ring, "l -1 -4 0\n"), "");
   EXPECT_EQ(flaw(ring, "l 1 0\n"), "line 1: does not follow");
 
+  // x gives a second spoke to two nodes of a third, w, in one go.
+  Problem tangle = with_variables(6);
+  tangle.add_ring(std::array{Spoke{kX, 0, 1}, Spoke{kY, 1, 2}, Spoke{kZ, 2, 3},
+                             Spoke{VarId{3}, 3, 1}, Spoke{VarId{4}, 3, 4},
+                             Spoke{VarId{5}, 4, 0}});
+  EXPECT_EQ(flaw(tangle, "l -1 -2 -3 5 0\nl -1 -2 -4 0\nl -3 -4 2 0\n"), "");
+  EXPECT_EQ(flaw(tangle, "l -1 -2 -3 -5 0\n"), "line 1: does not follow");
+
   Problem sides = with_variables(3);
   sides.add_sides(std::array{Wall{kX, 0, 1}, Wall{kY, 1, 2}, Wall{kZ, 2, 0}});
   EXPECT_EQ(flaw(sides, "l 1 2 -3 0\nl -1 -2 -3 0\n"), "");

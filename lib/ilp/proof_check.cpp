@@ -21,11 +21,11 @@ ProofChecker::ProofChecker(const Problem& problem,
       value_(problem.n_variables()),
       objective_(objective.begin(), objective.end()) {
   for (std::uint32_t i = 0; i < problem.n_pairs(); ++i) {
-    for (const VarId v : problem.pair(i)) watch(v, constraints_.size());
+    for (const VarId v : problem.pair(i)) watch(v);
     constraints_.push_back({ConstraintKind::Pair, i});
   }
   for (std::uint32_t i = 0; i < problem.n_rings(); ++i) {
-    for (const Spoke& s : problem.ring(i)) watch(s.var, constraints_.size());
+    for (const Spoke& s : problem.ring(i)) watch(s.var);
     constraints_.push_back({ConstraintKind::Ring, i});
   }
   for (std::size_t i = 0; i < problem.n_linear(); ++i)
@@ -40,13 +40,9 @@ ProofChecker::ProofChecker(const Problem& problem,
   settle();
 }
 
-void ProofChecker::watch(VarId v, std::size_t constraint) {
-  constraints_of_[index(v)].push_back(constraint);
-}
-
 void ProofChecker::add_clause(std::vector<Literal> clause) {
   std::ranges::sort(clause);
-  for (const Literal l : clause) watch(l.var(), constraints_.size());
+  for (const Literal l : clause) watch(l.var());
   number_of_clause_[clause].push_back(constraints_.size());
   constraints_.push_back(
       {ConstraintKind::Clause, static_cast<std::uint32_t>(clauses_.size())});
@@ -54,7 +50,7 @@ void ProofChecker::add_clause(std::vector<Literal> clause) {
 }
 
 void ProofChecker::add_linear(Linear linear) {
-  for (const Term& t : linear.terms) watch(t.var, constraints_.size());
+  for (const Term& t : linear.terms) watch(t.var);
   constraints_.push_back(
       {ConstraintKind::Linear, static_cast<std::uint32_t>(linear_.size())});
   linear_.push_back(std::move(linear));
@@ -158,9 +154,8 @@ void ProofChecker::settle() {
 bool ProofChecker::implies(std::span<const Literal> clause) {
   if (is_refuted_) return true;
   const std::size_t n_kept = trail_.size();
-  const bool is_open = std::ranges::all_of(
-      clause, [this](Literal l) { return set(l.var(), !l.value()); });
-  const bool follows = !is_open || !propagate();
+  const auto fails = [this](Literal l) { return set(l.var(), !l.value()); };
+  const bool follows = !std::ranges::all_of(clause, fails) || !propagate();
   for (const VarId v : std::span(trail_).subspan(n_kept))
     value_[index(v)].reset();
   trail_.resize(n_kept);
@@ -220,12 +215,14 @@ bool ProofChecker::visit_ring(std::span<const Spoke> spokes, bool optional) {
     at_node[s.b].push_back(s.var);
     some_spoke.emplace_back(s.var, true);
   }
+  const std::size_t before = trail_.size();
   for (const auto& [node, vars] : at_node)
     if (!visit_none_or_two(vars)) return false;
+  if (trail_.size() > before) return true;  // a new value: it is visited again
   return (optional || visit_clause(some_spoke)) && visit_cycles(spokes);
 }
 
-// No node has more than two true spokes.
+// No node has more than two true spokes, so a path cannot run into itself.
 bool ProofChecker::visit_cycles(std::span<const Spoke> spokes) {
   for (const Spoke& start : spokes) {
     if (!is_true(start.var)) continue;

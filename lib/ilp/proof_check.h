@@ -43,7 +43,10 @@ class ProofChecker {
     std::int64_t bound;
   };
 
-  void watch(VarId v, std::size_t constraint);
+  // The constraint that is added next has the variable.
+  void watch(VarId v) {
+    constraints_of_[index(v)].push_back(constraints_.size());
+  }
   void add_clause(std::vector<Literal> clause);
   void add_linear(Linear linear);
   void join(Linear linear);

@@ -239,25 +239,58 @@ std::vector<VarId> random_order(std::mt19937_64& rng, std::size_t n) {
   return order;
 }
 
+namespace {
+
+/// The fixed values, the others false; nothing if they contradict each other.
+std::optional<Model> fixed_values(const Problem& problem,
+                                  std::vector<bool>& is_fixed) {
+  Model model(problem.n_variables(), false);
+  is_fixed.assign(problem.n_variables(), false);
+  for (const Literal l : problem.fixed()) {
+    if (is_fixed[index(l.var())] && model[index(l.var())] != l.value())
+      return std::nullopt;
+    is_fixed[index(l.var())] = true;
+    model[index(l.var())] = l.value();
+  }
+  return model;
+}
+
+struct PairBits {
+  int n_fixed_true = 0;
+  std::uint32_t free = 0;
+
+  bool holds(std::uint32_t x) const {
+    const int n_true = n_fixed_true + std::popcount(x & free);
+    return n_true == 0 || n_true == 2;
+  }
+};
+
+}  // namespace
+
 std::optional<Model> least_model(const Problem& problem,
                                  std::span<const VarId> order) {
-  const std::size_t n = order.size();
-  // Bit n-1-i of the counter is the i-th variable of the order.
-  std::vector<std::uint32_t> bit(n);
-  for (std::size_t i = 0; i < n; ++i) bit[index(order[i])] = 1U << (n - 1 - i);
-  std::vector<std::uint32_t> pairs;
-  for (std::size_t p = 0; p < problem.n_pairs(); ++p) {
-    pairs.push_back(0);
-    for (const VarId v : problem.pair(p)) pairs.back() |= bit[index(v)];
-  }
-  Model model(n);
+  std::vector<bool> is_fixed;
+  std::optional<Model> model = fixed_values(problem, is_fixed);
+  if (!model) return std::nullopt;
+  std::vector<VarId> free;
+  for (const VarId v : order)
+    if (!is_fixed[index(v)]) free.push_back(v);
+  // Bit n-1-i of the counter is the i-th free variable of the order.
+  const std::size_t n = free.size();
+  std::vector<std::uint32_t> bit(order.size(), 0);
+  for (std::size_t i = 0; i < n; ++i) bit[index(free[i])] = 1U << (n - 1 - i);
+  std::vector<PairBits> pairs(problem.n_pairs());
+  for (std::size_t p = 0; p < problem.n_pairs(); ++p)
+    for (const VarId v : problem.pair(p)) {
+      pairs[p].free |= bit[index(v)];
+      if ((*model)[index(v)]) ++pairs[p].n_fixed_true;
+    }
   for (std::uint32_t x = 0; x < 1U << n; ++x) {
-    if (std::ranges::any_of(pairs, [x](std::uint32_t mask) {
-          return (x & mask) != 0 && std::popcount(x & mask) != 2;
-        }))
+    if (!std::ranges::all_of(pairs,
+                             [x](const PairBits& p) { return p.holds(x); }))
       continue;
-    for (std::size_t v = 0; v < n; ++v) model[v] = (x & bit[v]) != 0;
-    if (first_violation(problem, model).empty()) return model;
+    for (const VarId v : free) (*model)[index(v)] = (x & bit[index(v)]) != 0;
+    if (first_violation(problem, *model).empty()) return model;
   }
   return std::nullopt;
 }
