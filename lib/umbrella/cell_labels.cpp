@@ -29,7 +29,8 @@ CellLabelResult close_by_cell_labels(
   bool goes_on = true;
   while (goes_on && !is_stopped()) {
     result.report.dissolved += moves.dissolve(options.piece_triangles);
-    const std::size_t n = moves.bring_in(unused_vertices(labels));
+    std::size_t n = moves.bring_in(unused_vertices(labels));
+    n += moves.reach(unused_vertices(labels));
     const std::size_t n_exchanged = moves.exchange();
     result.report.brought_in += n;
     result.report.improvements += n_exchanged;
