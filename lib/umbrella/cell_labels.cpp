@@ -10,6 +10,19 @@
 #include "umbrella/label_moves_internal.h"
 
 namespace umbrella {
+namespace {
+
+bool has_faults(Labelling& labels) {
+  StarParts parts;
+  const std::size_t n = labels.triangulation().points().size();
+  for (std::uint32_t v = 0; v < n; ++v) {
+    labels.find_parts(VertexId{v}, parts);
+    if (parts.n_faults() > 0) return true;
+  }
+  return false;
+}
+
+}  // namespace
 
 CellLabelResult close_by_cell_labels(
     const delaunay::Triangulation3& triangulation,
@@ -20,6 +33,11 @@ CellLabelResult close_by_cell_labels(
   LabelFrame frame(triangulation, options.weight, kept, open);
   Labelling labels(triangulation);
   label_worst_first(frame, kept, labels);
+  if (has_faults(labels)) {
+    const auto held = held_by_cut(frame, kept, labels);
+    frame.keep(held);
+    label_worst_first(frame, held, labels);
+  }
   result.report.mended = LabelMending(frame, labels).run();
 
   LabelMoves moves(frame, labels);
@@ -29,7 +47,8 @@ CellLabelResult close_by_cell_labels(
   bool goes_on = true;
   while (goes_on && !is_stopped()) {
     result.report.dissolved += moves.dissolve(options.piece_triangles);
-    const std::size_t n = moves.bring_in(unused_vertices(labels));
+    std::size_t n = moves.bring_in(unused_vertices(labels));
+    n += moves.reach(unused_vertices(labels));
     const std::size_t n_exchanged = moves.exchange();
     result.report.brought_in += n;
     result.report.improvements += n_exchanged;

@@ -25,6 +25,8 @@ class LabelFrame {
   double badness(delaunay::Facet f) const {
     return badness_(sorted_corners(triangulation_, f), f);
   }
+  /// Makes these the kept ones.
+  void keep(std::span<const LocatedTriangle> kept);
   bool is_kept(delaunay::Facet f) const {
     return (kept_[index(f.cell())] >> f.index() & 1U) != 0;
   }
@@ -43,14 +45,24 @@ class LabelFrame {
   std::vector<std::uint8_t> is_open_;
 };
 
-/// Labels with all kept triangles on the surface that do not contradict better
-/// ones, no closed triangle that is not kept, and of the open ones those that
-/// are best by worst-first order: the worst is off the surface where labels
-/// exist without it, then the next. Exact: the sets of facets between labels
-/// are a linear space over GF(2), in which this greedy choice is optimal.
-/// All cells within the hull are inside if nothing says what is.
+/// Changes the labels to those with all kept triangles on the surface that do
+/// not contradict better ones, no closed triangle that is not kept, and of the
+/// open ones those that are best by worst-first order: the worst is off the
+/// surface where labels exist without it, then the next. Exact: the sets of
+/// facets between labels are a linear space over GF(2), in which this greedy
+/// choice is optimal. All cells within the hull are inside if nothing says what
+/// is.
 void label_worst_first(const LabelFrame& frame,
                        std::span<const LocatedTriangle> kept,
                        Labelling& labels);
+
+/// Those of the kept triangles that a surface of small total weight would
+/// hold, whose sides are those of the labels: fragments that stand alone, or
+/// on the wrong side of others, are not among these. Weight is the root of
+/// badness (the circumradius, lambda, the area); a kept triangle costs as much
+/// where it is not held. All of them if the effort does not suffice.
+std::vector<LocatedTriangle> held_by_cut(const LabelFrame& frame,
+                                         std::span<const LocatedTriangle> kept,
+                                         const Labelling& labels);
 
 }  // namespace umbrella

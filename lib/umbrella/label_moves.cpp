@@ -64,6 +64,68 @@ std::size_t LabelMoves::bring_in(std::span<const VertexId> vertices) {
   return n;
 }
 
+void LabelMoves::take_back() {
+  for (; !flipped_.empty(); flipped_.pop_back()) labels_.flip(flipped_.back());
+}
+
+std::size_t LabelMoves::reach(std::span<const VertexId> vertices) {
+  std::size_t n = 0;
+  for (const VertexId v : vertices)
+    if (!labels_.is_used(v)) n += reach(v);
+  return n;
+}
+
+std::size_t LabelMoves::reach(VertexId v) {
+  find_surroundings(v);
+  const bool side = labels_.is_inside(near_.front());
+  flipped_.clear();
+  std::size_t n = 0;
+  for (std::size_t next = 0; next < near_.size() && !labels_.is_used(v);) {
+    const CellId c = near_[next++];
+    if (labels_.is_inside(c) != side || !can_switch(c)) continue;
+    n += std::popcount(labels_.surface_facets(c)) == 1 ? 1 : 0;
+    flip(c);
+    next = 0;  // nearer cells may have become free
+  }
+  if (labels_.is_used(v)) return n;
+  take_back();
+  return 0;
+}
+
+/// The star of v and cells about it up to the surface, none beyond the hull.
+void LabelMoves::find_surroundings(VertexId v) {
+  constexpr std::size_t kMaxCells = 200;
+  ++n_searches_;
+  near_.clear();
+  const auto enter = [this](CellId c) {
+    if (labels_.cell(c).is_infinite() || met_[index(c)] == n_searches_) return;
+    met_[index(c)] = n_searches_;
+    near_.push_back(c);
+  };
+  labels_.find_parts(v, parts_);
+  for (const CellId c : parts_[0].cells) enter(c);
+  const std::size_t most = near_.size() + kMaxCells;
+  for (std::size_t next = 0; next < near_.size() && near_.size() < most; ++next)
+    for (unsigned i = 0; i < 4; ++i)
+      if (!labels_.is_on_surface(Facet(near_[next], i)))
+        enter(labels_.cell(near_[next]).neighbor[i].cell());
+}
+
+/// Whether the surface stays manifold, and no point leaves it.
+bool LabelMoves::can_switch(CellId c) const {
+  const unsigned facets = labels_.surface_facets(c);
+  const auto i = static_cast<unsigned>(std::countr_zero(facets));
+  const auto k = static_cast<unsigned>(std::bit_width(facets)) - 1;
+  switch (std::popcount(facets)) {
+    case 1:
+      return !labels_.is_used(labels_.cell(c).vertex[i]);
+    case 2:  // opposite their common edge are the corners that they lack
+      return !labels_.is_edge_used(c, i, k);
+    default:
+      return false;
+  }
+}
+
 std::size_t LabelMoves::dissolve(std::size_t largest) {
   const std::vector<LocatedTriangle> surface = labels_.surface();
   DisjointSets sets(labels_.triangulation().points().size());
@@ -117,7 +179,7 @@ bool LabelMoves::dissolve(std::span<const LocatedTriangle> piece) {
       std::all_of(corners.begin(), corners.end(),
                   [this](VertexId v) { return labels_.is_used(v); });
   if (all_are_back) return true;
-  for (; !flipped_.empty(); flipped_.pop_back()) labels_.flip(flipped_.back());
+  take_back();
   return false;
 }
 
@@ -165,11 +227,7 @@ bool LabelMoves::try_exchange(CellId c) {
   if (std::popcount(facets) != 2 || !frame_.is_open(c)) return false;
   for (unsigned i = 0; i < 4; ++i)
     if ((facets >> i & 1U) != 0 && frame_.is_kept(Facet(c, i))) return false;
-  if (!is_better(c, facets)) return false;
-  // Opposite the common edge of the two facets are the corners they lack.
-  const auto i = static_cast<unsigned>(std::countr_zero(facets));
-  const auto k = static_cast<unsigned>(std::bit_width(facets)) - 1;
-  if (labels_.is_edge_used(c, i, k)) return false;
+  if (!is_better(c, facets) || !can_switch(c)) return false;
   labels_.flip(c);
   return true;
 }

@@ -21,13 +21,21 @@ class LabelMoves {
   /// @param frame, labels  must outlive this object; `labels`, whose surface is
   ///   manifold, is changed
   LabelMoves(const LabelFrame& frame, Labelling& labels)
-      : frame_(frame), labels_(labels) {}
+      : frame_(frame),
+        labels_(labels),
+        met_(labels.triangulation().cells().size()) {}
 
   /// Brings in points as long as that is possible, those first for which the
   /// least bad triangles come, and those before that cost no kept triangle.
   /// @param vertices  to begin with
   /// @return how many came to the surface
   std::size_t bring_in(std::span<const VertexId> vertices);
+
+  /// Brings in one point after another by moving the surface up to it: cells
+  /// on the way are switched, the nearest to the point first, or taken back if
+  /// that does not lead there.
+  /// @return how many came to the surface, others on the way included
+  std::size_t reach(std::span<const VertexId> vertices);
 
   /// Takes closed pieces of at most so many triangles away, all corners open,
   /// if all their points can then be brought in elsewhere.
@@ -53,6 +61,10 @@ class LabelMoves {
 
   void consider(delaunay::Facet facet);
   void flip(delaunay::CellId c);
+  void take_back();
+  std::size_t reach(VertexId v);
+  void find_surroundings(VertexId v);
+  bool can_switch(delaunay::CellId c) const;
   bool dissolve(std::span<const LocatedTriangle> piece);
   bool find_enclosed(delaunay::CellId start, std::size_t n_walls);
   bool try_exchange(delaunay::CellId c);
@@ -63,6 +75,9 @@ class LabelMoves {
   std::priority_queue<Gain> gains_;
   std::vector<delaunay::CellId> flipped_;  // the last ones, to take them back
   std::vector<delaunay::CellId> enclosed_;
+  std::vector<delaunay::CellId> near_;  // around a point, nearest first
+  std::vector<std::uint32_t> met_;      // by cell: the last search
+  std::uint32_t n_searches_ = 0;
   StarParts parts_;
 };
 
