@@ -11,6 +11,7 @@
 #include "apps/terminal.h"
 #include "io/mesh.h"
 #include "io/points.h"
+#include "umbrella/curve.h"
 #include "umbrella/reconstruct.h"
 
 namespace command {
@@ -20,7 +21,8 @@ struct Request {
   umbrella::Stage stage = umbrella::Stage::Closed;
   std::string criterion = "paper";
   umbrella::CloseMode close = umbrella::CloseMode::Best;
-  std::optional<double> time_limit;  ///< seconds
+  std::optional<umbrella::CurveMode> curve;  ///< in the plane; none: Auto
+  std::optional<double> time_limit;          ///< seconds
 };
 
 struct Outcome {

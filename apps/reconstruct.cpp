@@ -186,6 +186,18 @@ void add_method_options(CLI::App& sub, Request& request) {
               {"best", umbrella::CloseMode::Best},
               {"paper", umbrella::CloseMode::Paper}}))
       ->type_name("MODE");
+  sub.add_option("--curve", request.curve,
+                 "Of points in the plane: auto, paper, closed, open, tsp or "
+                 "mutual [auto]")
+      ->transform(
+          CLI::CheckedTransformer(std::map<std::string, umbrella::CurveMode>{
+              {"auto", umbrella::CurveMode::Auto},
+              {"paper", umbrella::CurveMode::Paper},
+              {"closed", umbrella::CurveMode::Closed},
+              {"open", umbrella::CurveMode::Open},
+              {"tsp", umbrella::CurveMode::Tour},
+              {"mutual", umbrella::CurveMode::Mutual}}))
+      ->type_name("MODE");
   sub.add_option("--time-limit", request.time_limit,
                  "Seconds for closing; regions undecided by then stay open")
       ->check(seconds_problem)
