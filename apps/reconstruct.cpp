@@ -89,16 +89,28 @@ void print_summary(const Options& options, const Outcome& outcome,
       << " (" << seconds.data() << " s)\n";
 }
 
+// Where a path leads; two paths that lead to one place are the same file.
+std::filesystem::path place(const std::string& path) {
+  std::error_code error;  // then the path itself has to do
+  const auto full = std::filesystem::absolute(path, error);
+  const auto canonical = std::filesystem::weakly_canonical(full, error);
+  return error ? full : canonical;
+}
+
+void require_no_input(const Options& options, const std::string& output) {
+  if (output == "-") return;
+  for (const std::string& file : options.request.files)
+    if (file != "-" && place(file) == place(output))
+      throw std::invalid_argument(output + ": would overwrite the input");
+}
+
 // What would fail only after all the work, or spoil it.
 void require_outputs(const Options& options) {
-  const auto place = [](const std::string& path) {
-    std::error_code error;  // then the path itself has to do
-    const auto full = std::filesystem::absolute(path, error);
-    const auto canonical = std::filesystem::weakly_canonical(full, error);
-    return error ? full : canonical;
-  };
   for (const std::string& path : {options.out, options.report})
-    if (!path.empty()) io::require_writable(path);
+    if (!path.empty()) {
+      require_no_input(options, path);
+      io::require_writable(path);
+    }
   if (options.out.empty() || options.report.empty()) return;
   if (place(options.out) == place(options.report))
     throw std::invalid_argument("-o and --report cannot both be " +
@@ -137,6 +149,11 @@ ExitCode reconstruct(const Options& options) {
   return as_asked ? ExitCode::Done : ExitCode::Open;
 }
 
+// Empty if the text names a file.
+std::string path_problem(const std::string& text) {
+  return text.empty() ? "the name of a file is empty" : "";
+}
+
 // Empty if the text is a time. (CLI::Range lets NaN through.)
 std::string seconds_problem(const std::string& text) {
   double value = 0;
@@ -155,9 +172,11 @@ void add_file_options(CLI::App& sub, Options& options) {
          "-o,--output", options.out,
          "Mesh file: .ply (with lambda), .off, .obj, .stl; of a curve .ply, "
          ".obj, .txt; - is standard output, as PLY")
+      ->check(path_problem)
       ->type_name("OUT");
   sub.add_option("--report", options.report,
                  "Counts, times and the certificate as JSON")
+      ->check(path_problem)
       ->type_name("FILE");
 }
 

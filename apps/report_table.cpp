@@ -26,10 +26,11 @@ Column paper(const std::string& heading, std::string PaperRow::*field) {
           [field](const Row& row) { return row.paper.*field; }};
 }
 
-// The value at a JSON pointer as it is written, "" where there is none.
+// The value at a JSON pointer as it is written, "" where there is none or null.
 std::string text_at(const json& report, const char* pointer) {
   const json::json_pointer where(pointer);
-  return report.contains(where) ? report.at(where).dump() : "";
+  if (!report.contains(where) || report.at(where).is_null()) return "";
+  return report.at(where).dump();
 }
 
 Column ours(const std::string& heading, const char* pointer) {
@@ -72,7 +73,7 @@ std::vector<std::string> cells_of(const Column& column,
   const auto is_empty = [](const std::string& s) { return s.empty(); };
   if (std::ranges::all_of(cells, is_empty)) return {};
   for (std::string& cell : cells)
-    if (cell.empty()) cell = "-";
+    if (cell.empty()) cell.push_back('-');
   return cells;
 }
 

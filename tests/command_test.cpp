@@ -79,6 +79,10 @@ TEST_F(Command, RefusesBadUsageInOneLine) {
   expect_error("reconstruct p.xyz -o mesh.xyz", "mesh.xyz: cannot write");
   expect_error("reconstruct p.xyz -o no/mesh.ply", "no/mesh.ply: cannot write");
   expect_error("reconstruct p.xyz -o " + std::string(300, 'x') + ".ply", "xxx");
+  expect_error("reconstruct p.xyz -o ''", "the name of a file is empty");
+  expect_error("reconstruct p.xyz --report ''", "the name of a file is empty");
+  expect_error("reconstruct p.xyz -o ./p.xyz", "would overwrite the input");
+  expect_error("reconstruct p.xyz --report p.xyz", "would overwrite the input");
   expect_error("reconstruct p.xyz -o - --report -", "cannot both be -");
   expect_error("reconstruct p.xyz -o m.ply --report ./m.ply",
                "cannot both be m.ply");

@@ -54,6 +54,12 @@ TEST(ReportTable, PutsThePaperBesideOurs) {
                    "20000", "20002", "1", "closed"}));
 }
 
+TEST(ReportTable, ShowsNoGenusOfAnOpenSurface) {
+  Row open = knot();
+  open.report["surface"]["genus"] = nullptr;
+  EXPECT_EQ(cells(counts_table({knot(), open}), 3)[8], "-");
+}
+
 TEST(ReportTable, LeavesOutTheColumnsThatNobodyFills) {
   const std::string table = seconds_table({knot()});
   EXPECT_EQ(cells(table, 0), (Cells{"object", "filter, paper", "total, paper",
