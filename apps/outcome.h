@@ -12,6 +12,7 @@
 #include "apps/terminal.h"
 #include "io/mesh.h"
 #include "io/points.h"
+#include "umbrella/curve.h"
 #include "umbrella/reconstruct.h"
 
 namespace command {
@@ -23,9 +24,10 @@ struct Request {
   std::string criterion = "paper";
   std::string umbrella = "first";
   umbrella::CloseMode close = umbrella::CloseMode::Best;
-  std::optional<double> time_limit;  ///< seconds
+  std::optional<umbrella::CurveMode> curve;  ///< in the plane; none: Auto
+  std::optional<double> time_limit;          ///< seconds
   unsigned threads = 1;
-  bool repairs = false;              ///< the file is a mesh
+  bool repairs = false;  ///< the file is a mesh
 };
 
 struct Outcome {

@@ -269,6 +269,18 @@ void add_experiment_options(CLI::App& sub, Request& request) {
          "Which umbrella a point chooses: " + joined(choices) + " [first]")
       ->check(CLI::IsMember(choices))
       ->type_name("NAME");
+  sub.add_option("--curve", request.curve,
+                 "Of points in the plane: auto, paper, closed, open, tsp or "
+                 "mutual [auto]")
+      ->transform(
+          CLI::CheckedTransformer(std::map<std::string, umbrella::CurveMode>{
+              {"auto", umbrella::CurveMode::Auto},
+              {"paper", umbrella::CurveMode::Paper},
+              {"closed", umbrella::CurveMode::Closed},
+              {"open", umbrella::CurveMode::Open},
+              {"tsp", umbrella::CurveMode::Tour},
+              {"mutual", umbrella::CurveMode::Mutual}}))
+      ->type_name("MODE");
 }
 
 void add_run_options(CLI::App& sub, Options& options) {

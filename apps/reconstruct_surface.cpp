@@ -133,6 +133,8 @@ std::string state_of(const umbrella::SurfaceReport& surface) {
 Outcome reconstruct_surface(const io::PointSet& points, const Request& request,
                             terminal::Progress& progress,
                             std::span<const umbrella::IndexedTriangle> faces) {
+  if (request.curve)
+    throw std::invalid_argument("--curve is for points in the plane");
   umbrella::Reconstruction result = run(points, request, progress, faces);
   require_space(request, result);
   Outcome outcome;

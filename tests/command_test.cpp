@@ -162,6 +162,24 @@ TEST_F(Command, ReconstructsCurves) {
   EXPECT_EQ(run("check curve.ply --points circles.xyz").status, 0);
 }
 
+TEST_F(Command, TakesModesOfCurves) {
+  ASSERT_EQ(run("generate star -n 100 -o star.xyz").status, 0);
+  for (const char* mode :
+       {"auto", "paper", "closed", "open", "tsp", "mutual"}) {
+    SCOPED_TRACE(mode);
+    const Finished made = run("reconstruct star.xyz --report r.json --curve " +
+                              std::string(mode));
+    EXPECT_EQ(made.status, 0) << made.err;
+    const Json report = Json::parse(folder_.content("r.json"));
+    EXPECT_EQ(report["surface"]["edges"], 100);
+    EXPECT_EQ(report["surface"]["points_used"], 100);
+  }
+  expect_error("reconstruct star.xyz --curve best", "--curve");
+  expect_error("reconstruct star.xyz --curve tsp --stage filter", "--stage");
+  folder_.file("p.xyz", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n");
+  expect_error("reconstruct p.xyz --curve auto", "plane");
+}
+
 TEST_F(Command, WritesNoMeshIfTheReportCannotBeWritten) {
   folder_.file("p.xyz", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n");
   expect_error("reconstruct p.xyz -o mesh.ply --report no/report.json",
@@ -195,7 +213,7 @@ TEST_F(Command, NoticesAFullStandardOutput) {
 // Some programs of this set are given up at a limit, and solved once grown.
 TEST_F(Command, CallsAClosedCurveASuccess) {
   run("generate star -n 300 --seed 2 --noise 1 -o star.xyz");
-  const Finished made = run("reconstruct star.xyz");
+  const Finished made = run("reconstruct star.xyz --curve closed");
   EXPECT_THAT(made.out, HasSubstr("300 edges"));
   EXPECT_THAT(made.out, HasSubstr("closed, manifold"));
   EXPECT_EQ(made.status, 0);
