@@ -313,9 +313,9 @@ TEST(CloseHoles, SaysWhatItsEffortDidNotSuffice) {
 
 TEST(CloseHoles, SaysWhyItLeavesAPointOut) {
   std::size_t n_without_effort = 0;
-  for (std::uint64_t trial = 0; trial < 6; ++trial) {
+  for (const std::uint64_t trial : {4, 5, 6}) {
     SCOPED_TRACE(testing::Message() << "trial " << trial);
-    const Input input(shapes::sample("uniform", 100, {.seed = trial}));
+    const Input input(shapes::sample("uniform", 1000, {.seed = trial}));
     const ClosingResult hasty =
         input.close({.propagations = 0, .propagations_per_vertex = 0});
     n_without_effort += hasty.dropped.size();
