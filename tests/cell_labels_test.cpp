@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <iterator>
 #include <numeric>
 #include <random>
@@ -143,6 +144,125 @@ TEST(CellLabels, FillsInWhatIsMissing) {
       EXPECT_EQ(result.report.given_up, 0U);
     }
   }
+}
+
+std::vector<Triangle> corners_of(std::span<const LocatedTriangle> triangles) {
+  std::vector<Triangle> corners;
+  for (const LocatedTriangle& t : triangles) corners.push_back(t.corners);
+  return corners;
+}
+
+/// A closed surface through all points, from the certain triangles.
+std::vector<LocatedTriangle> closed_surface(const Triangulation3& t) {
+  return close_by_cell_labels(t, certain_triangles(t), all_vertices(t))
+      .triangles;
+}
+
+TEST(CellLabels, GiveBackAClosedSurface) {
+  for (const char* shape : {"torus", "uniform", "cube"}) {
+    SCOPED_TRACE(shape);
+    const Triangulation3 t(shapes::sample(shape, 400, {}));
+    const auto surface = closed_surface(t);
+    const auto again = close_by_cell_labels(t, surface, {});
+    EXPECT_EQ(corners_of(again.triangles), corners_of(surface));
+    EXPECT_EQ(again.report.mended, 0U);
+    EXPECT_EQ(again.report.given_up, 0U);
+  }
+}
+
+TEST(CellLabels, LeaveAloneWhatIsNotOpen) {
+  const Triangulation3 t(shapes::sample("torus", 1000, {}));
+  std::mt19937_64 rng(4);
+  auto kept = closed_surface(t);
+  const auto whole = corners_of(kept);
+  std::vector<VertexId> open;  // corners of what is taken out
+  for (int i = 0; i < 40; ++i) {
+    const auto gone =
+        kept.begin() + static_cast<std::ptrdiff_t>(rng() % kept.size());
+    open.insert(open.end(), gone->corners.begin(), gone->corners.end());
+    kept.erase(gone);
+  }
+  std::sort(open.begin(), open.end());
+  open.erase(std::unique(open.begin(), open.end()), open.end());
+  const auto result = close_by_cell_labels(t, kept, open);
+  EXPECT_EQ(expect_sound(t, result).genus, 1);
+  EXPECT_EQ(result.report.given_up, 0U);
+  EXPECT_TRUE(result.left_out.empty());
+  for (const LocatedTriangle& triangle : result.triangles) {
+    const bool is_open = std::ranges::all_of(triangle.corners, [&](VertexId v) {
+      return std::ranges::binary_search(open, v);
+    });
+    EXPECT_TRUE(is_open || std::ranges::binary_search(whole, triangle.corners));
+  }
+}
+
+TEST(CellLabels, BringInPointsThatASurfaceLeavesOut) {
+  for (const std::size_t n : {20, 200, 1000}) {
+    SCOPED_TRACE(testing::Message() << n << " points");
+    const Triangulation3 t(shapes::sample("uniform", n, {}));
+    std::vector<LocatedTriangle> hull;
+    for (const LocatedTriangle& triangle : all_triangles(t)) {
+      const auto& cell = t.cell(triangle.facet.cell());
+      if (t.cell(cell.neighbor[triangle.facet.index()].cell()).is_infinite())
+        hull.push_back(triangle);
+    }
+    const auto result = close_by_cell_labels(t, hull, {});
+    EXPECT_EQ(expect_sound(t, result).genus, 0);
+    EXPECT_EQ(result.report.mended, 0U);
+    EXPECT_LE(result.left_out.size(), n / 100);
+    EXPECT_GT(result.report.brought_in, n / 3);
+  }
+}
+
+TEST(CellLabels, DoNotDependOnTheOrderOfTriangles) {
+  const Triangulation3 t(shapes::sample("uniform", 300, {}));
+  std::mt19937_64 rng(8);
+  auto kept = some_of(all_triangles(t), 0.1, rng);
+  const auto expected = close_by_cell_labels(t, kept, all_vertices(t));
+  for (int trial = 0; trial < 3; ++trial) {
+    std::shuffle(kept.begin(), kept.end(), rng);
+    const auto result = close_by_cell_labels(t, kept, all_vertices(t));
+    EXPECT_EQ(corners_of(result.triangles), corners_of(expected.triangles));
+  }
+}
+
+TEST(CellLabels, CloseTheSurfaceEvenIfStopped) {
+  const Triangulation3 t(shapes::sample("uniform", 300, {}));
+  const std::atomic<bool> stop = true;
+  const auto kept = certain_triangles(t);
+  const auto stopped =
+      close_by_cell_labels(t, kept, all_vertices(t), {.stop = &stop});
+  expect_sound(t, stopped);
+  const auto whole = close_by_cell_labels(t, kept, all_vertices(t));
+  EXPECT_GT(stopped.left_out.size(), whole.left_out.size());
+  EXPECT_EQ(stopped.report.brought_in, 0U);
+}
+
+/// A sphere, and a tetrahedron that stands beside it.
+TEST(CellLabels, DissolveSmallPieces) {
+  std::vector<Point3> points = shapes::sample("sphere", 300, {});
+  for (const Point3& p : {Point3(1.1, 0, 0), Point3(1.13, 0.02, 0),
+                          Point3(1.13, -0.02, 0.02), Point3(1.12, 0, -0.03)})
+    points.push_back(p);
+  const Triangulation3 t(points);
+  const auto n_beside = [&](const LocatedTriangle& triangle) {
+    return std::ranges::count_if(
+        triangle.corners, [&](VertexId v) { return t.point(v).x() > 1.05; });
+  };
+  std::vector<LocatedTriangle> kept;
+  for (const LocatedTriangle& triangle : certain_triangles(t))
+    if (n_beside(triangle) == 0) kept.push_back(triangle);
+  for (const LocatedTriangle& triangle : all_triangles(t))
+    if (n_beside(triangle) == 3) kept.push_back(triangle);
+
+  CellLabelOptions options;
+  options.piece_triangles = 3;
+  const auto apart = close_by_cell_labels(t, kept, all_vertices(t), options);
+  EXPECT_EQ(expect_sound(t, apart).components, 2U);
+  const auto joined = close_by_cell_labels(t, kept, all_vertices(t));
+  EXPECT_EQ(expect_sound(t, joined).components, 1U);
+  EXPECT_TRUE(joined.left_out.empty());
+  EXPECT_EQ(joined.report.dissolved, 4U);
 }
 
 }  // namespace
