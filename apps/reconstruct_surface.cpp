@@ -67,7 +67,10 @@ Json stages_report(const Request& request,
   json["delaunay"] = {{"cells", n.delaunay_cells},
                       {"triangles", n.delaunay_triangles},
                       {"gabriel_triangles", n.admissible_triangles}};
-  json["filter"] = {{"triangles", n.filter_triangles},
+  json["filter"] = {{"method", request.method},
+                    {"criterion", request.criterion},
+                    {"umbrella", request.umbrella},
+                    {"triangles", n.filter_triangles},
                     {"vertices_without_umbrella", n.filter_without_umbrella}};
   if (request.stage == Stage::Filter) return json;
   json["clean_up"] = {{"deleted_type2", n.deleted_type2},

@@ -94,6 +94,26 @@ TEST_F(Command, RefusesBadUsageInOneLine) {
   expect_error("check", "mesh is required");
 }
 
+TEST_F(Command, TakesOtherCriteriaAndMethods) {
+  ASSERT_EQ(run("generate torus -n 600 -o t.ply").status, 0);
+  for (const std::string options :
+       {"--method cocone", "--method ballmerge=1.7", "--method lambda=0.4:0.9",
+        "--criterion ballmerge", "--umbrella flattest --criterion mixed"}) {
+    SCOPED_TRACE(options);
+    const Finished result = run("reconstruct t.ply " + options);
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_THAT(result.out, HasSubstr("1200 triangles, genus 1, closed"));
+  }
+  folder_.file("p.xy", "0 0\n1 0\n0 1\n1 1\n");
+  expect_error("reconstruct t.ply --method crusty", "no method 'crusty'");
+  expect_error("reconstruct t.ply --method beta=0.5", "beta=beta");
+  expect_error("reconstruct t.ply --umbrella last", "last");
+  expect_error("reconstruct t.ply --method crust --criterion area",
+               "are for --method umbrella");
+  expect_error("reconstruct p.xy --method crust", "is for points in space");
+  expect_error("reconstruct p.xy --umbrella flattest", "is for points in");
+}
+
 TEST_F(Command, RefusesBadInputInOneLine) {
   folder_.file("empty.xyz", "");
   folder_.file("nan.xyz", "0 0 0\n1 nan 0\n");

@@ -7,6 +7,7 @@
 #include <random>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -113,7 +114,7 @@ TEST(BallMerge, MergesAllOrNothingAtTheEnds) {
 }
 
 TEST(BallMerge, FindsTheTorus) {
-  const Triangulation3 t(shapes::sample("torus", 1200));
+  const Triangulation3 t(shapes::sample("torus", 700));
   const auto report = certificate(t, ball_merge(t, Circumspheres(t)));
   EXPECT_TRUE(report.closed && report.manifold);
   EXPECT_EQ(report.genus, 1);
@@ -164,9 +165,44 @@ ReconstructOptions by_method(std::string_view method) {
   return options;
 }
 
+/// Definition 3.2 of [Adamy02], word by word.
+bool is_surface_complex(const Reconstruction& result, std::size_t n_points) {
+  std::vector<RankedTriangle> triangles;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> n_at_edge;
+  for (const IndexedTriangle& t : result.triangles) {
+    triangles.push_back(tests::ranked(t[0], t[1], t[2], 0));
+    for (std::size_t i = 0; i < 3; ++i)
+      ++n_at_edge[std::minmax(t[i], t[(i + 1) % 3])];
+  }
+  for (const auto& [edge, n] : n_at_edge)
+    if (n != 2) return false;                 // (b)
+  for (std::size_t v = 0; v < n_points; ++v)  // (a) and (c)
+    if (!tests::is_simple_cycle(tests::link(triangles, tests::vertex(v))))
+      return false;
+  return true;
+}
+
 // Theorem 3.2 of [Adamy02]: what satisfies the program is a surface complex,
-// Definition 3.2, wherever its triangles came from.
-TEST(Methods, CloseToASurfaceComplexOnADenseSphere) {
+// wherever its triangles came from; and the certificate says the same.
+TEST(Methods, CloseToASurfaceComplex) {
+  for (const std::string_view shape : {"sphere", "torus", "cube"}) {
+    const auto points = shapes::sample(shape, 100, {.noise = 0.1});
+    for (const MethodInfo& info : all_methods()) {
+      SCOPED_TRACE(testing::Message() << shape << ' ' << info.name);
+      const auto result = reconstruct(points, by_method(info.name));
+      EXPECT_EQ(is_surface_complex(result, points.size()),
+                result.surface.closed && result.surface.manifold &&
+                    result.surface.unused_vertices.empty());
+      const ClosingReport& closing = result.closing;
+      if (closing.regions > 0 && closing.feasible == closing.regions &&
+          result.dropped_rows.empty()) {
+        EXPECT_TRUE(is_surface_complex(result, points.size()));
+      }
+    }
+  }
+}
+
+TEST(Methods, CloseADenseSphere) {
   const auto points = shapes::sample("sphere", 800, {.noise = 0.02});
   for (const MethodInfo& info : all_methods()) {
     SCOPED_TRACE(info.name);
@@ -179,7 +215,7 @@ TEST(Methods, CloseToASurfaceComplexOnADenseSphere) {
 }
 
 TEST(Methods, FindTheHoleOfADenseTorus) {
-  const auto points = shapes::sample("torus", 1200);
+  const auto points = shapes::sample("torus", 700);
   for (const MethodInfo& info : all_methods()) {
     SCOPED_TRACE(info.name);
     const auto result = reconstruct(points, by_method(info.name));
