@@ -201,7 +201,7 @@ void add_output_options(CLI::App& sub, Options& options) {
   sub.add_option(
          "-o,--output", options.out,
          "Mesh file: .ply (with lambda), .off, .obj, .stl; of a curve .ply, "
-         ".obj, .txt; - is standard output, as PLY")
+         ".obj, .svg, .txt; - is standard output, as PLY")
       ->check(path_problem)
       ->type_name("OUT");
   sub.add_option("--report", options.report,
