@@ -151,6 +151,7 @@ CellId BowyerWatson3::walk(CellId start, const double* p,
   for (std::size_t step = 0; step < max_steps; ++step) {
     const Cell& cell = cells_[index(current)];
     if (cell.is_infinite()) return current;
+    count(counters_.walk_steps);
     const bool is_own = region.owns(cell);
     if (is_own && squared_distance(cell, p) < cell.inside2) return current;
     unsigned exit = 4;
@@ -198,6 +199,7 @@ bool BowyerWatson3::in_conflict(const Cell& cell, const double* p) const {
 }
 
 bool BowyerWatson3::in_conflict_exact(const Cell& cell, const double* p) const {
+  count(counters_.exact_tests);
   const auto& v = cell.vertex;
   if (!cell.is_infinite())
     return mesh_.lattice.insphere_perturbed(at(v[0]), at(v[1]), at(v[2]),
@@ -249,6 +251,7 @@ bool BowyerWatson3::find_cavity(CellId seed, const double* p,
     if (k == 0) undecided = search.look(neighbor[0]);
     for (unsigned i = 1; i < 4; ++i)
       undecided |= search.look(neighbor[(entry.index() + i) % 4]);
+    count(counters_.sphere_tests, k == 0 ? 4 : 3);
     if (undecided == 0) [[likely]]
       continue;
     for (const Facet f : neighbor)

@@ -46,6 +46,7 @@ class alignas(128) BowyerWatson3 {  // shares no cache line with another
 
   /// A cell near the vertex inserted or sought last.
   CellId hint() const { return hint_; }
+  const Counters& counters() const { return counters_; }
 
   /// Beyond the last cell ever used.
   std::size_t end() const { return fresh_.end(); }
@@ -104,6 +105,8 @@ class alignas(128) BowyerWatson3 {  // shares no cache line with another
   Part part_{{}, 0};
   bool lacks_room_ = false;
   CellId hint_{};  // near the vertex inserted last, inside the hull
+
+  mutable Counters counters_;
 
   // Of the insertion under way; kept to reuse their memory, and made longer
   // together. Star cell k lies on boundary_[k]; its corners are in

@@ -107,6 +107,7 @@ void BowyerWatson3::make_star_cells(VertexId apex) {
 void BowyerWatson3::fill_cavity(VertexId apex) {
   allocate_star();
   make_star_cells(apex);
+  count(counters_.cells_made, n_boundary_);
   const double* p = at(apex);
   for (std::uint32_t i = 0; i < n_rim_; ++i) spokes_[i] = relative(rim_[i], p);
   std::size_t n = n_boundary_;

@@ -2,13 +2,12 @@
 #include <bit>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
 #include "delaunay/mesh3_internal.h"
 
 namespace delaunay {
 namespace {
-
-constexpr std::size_t kMaxCells = std::size_t{1} << 30U;
 
 /// The lattice of the largest power of two that divides all coordinates; none
 /// if they are not multiples of 2^-40 below 2^22.
@@ -39,9 +38,10 @@ Mesh3::Mesh3(std::span<const Point3> points, unsigned n_inserters)
 
 void Mesh3::make_room(std::size_t n) {
   if (n <= cells.size()) return;
-  if (n > kMaxCells)
-    throw std::length_error("Delaunay triangulation has over 2^30 cells");
-  cells.resize(std::min(std::max(n, 2 * cells.size()), kMaxCells));
+  if (n > max_cells)
+    throw std::length_error("Delaunay triangulation has over " +
+                            std::to_string(max_cells) + " cells");
+  cells.resize(std::min(std::max(n, 2 * cells.size()), max_cells));
 }
 
 void Mesh3::link(Facet a, Facet b) {

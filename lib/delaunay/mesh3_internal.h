@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "delaunay/cell_vector.h"
+#include "delaunay/counters.h"
 #include "delaunay/triangulation3.h"
 #include "predicates/lattice.h"
 
@@ -29,7 +30,7 @@ struct Mesh3 {
   explicit Mesh3(std::span<const Point3> points, unsigned n_inserters = 1);
 
   /// Makes room for n cells at least.
-  /// @throws std::length_error  their numbers would not fit 30 bits
+  /// @throws std::length_error  that is over max_cells
   void make_room(std::size_t n);
 
   /// Removes the places in front of `end` that hold no cell, and all behind;
@@ -43,6 +44,8 @@ struct Mesh3 {
   std::vector<Site> sites;      // by vertex
   predicates::Lattice lattice;  // on which all sites lie, if there is one
   LazyVector<Cell> cells;       // used and unused ones
+  std::size_t max_cells = std::size_t{1} << 30U;  // a Facet holds 30 bits
+  Counters counters;  // of all inserters, at the end
 
  private:
   void link(Facet a, Facet b);

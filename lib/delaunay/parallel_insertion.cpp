@@ -202,6 +202,7 @@ std::size_t Crew::finish() {
   std::size_t end = 0;
   for (const BowyerWatson3& i : inserters_) end = std::max(end, i.end());
   for (BowyerWatson3& i : inserters_) i.remove_unused(end);
+  for (const BowyerWatson3& i : inserters_) mesh_.counters += i.counters();
   return mesh_.compact(end);
 }
 

@@ -69,10 +69,14 @@ int scaling_exponent(std::span<const Point3> points) {
   return std::ilogb(smallest) + e >= -900 ? e : 0;
 }
 
+/// Exact, by the choice of the exponent.
 void scale(std::vector<Point3>& points, int exponent) {
   if (exponent == 0) return;
+  // In two steps, for 2^1074 is no double.
+  const double first = std::ldexp(1, exponent / 2);
+  const double second = std::ldexp(1, exponent - exponent / 2);
   for (Point3& p : points)
-    for (double& x : p) x = std::ldexp(x, exponent);
+    for (double& x : p) x = x * first * second;
 }
 
 }  // namespace
@@ -101,6 +105,7 @@ Triangulation3::Triangulation3(std::span<const Point3> points,
   n_finite_cells_ =
       insert_all(mesh, frame.vertex, insertion_order(points_.size()), options);
   cells_ = std::move(mesh.cells);
+  counters_ = mesh.counters;
   scale(points_, -exponent);
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "delaunay/cell_vector.h"
+#include "delaunay/counters.h"
 #include "delaunay/ids.h"
 
 namespace delaunay {
@@ -65,6 +66,8 @@ class Triangulation3 {
   /// @param threads  at most so many
   /// @throws std::invalid_argument  a coordinate is not finite (names the row)
   ///   or there are too many points
+  /// @throws std::length_error  there are over 2^30 cells, infinite ones among
+  ///   them; with max_points() that is 8 a point
   explicit Triangulation3(std::span<const Point3> points, unsigned threads = 1);
 
   static constexpr std::size_t max_points() { return std::size_t{1} << 27U; }
@@ -88,11 +91,15 @@ class Triangulation3 {
   /// See Cell::center.
   int scale_exponent() const { return scale_exponent_; }
 
+  /// All 0 unless the build counts.
+  const Counters& counters() const { return counters_; }
+
  private:
   std::vector<Point3> points_;
   std::vector<VertexId> vertex_of_row_;
   LazyVector<Cell> cells_;
   std::size_t n_finite_cells_ = 0;
+  Counters counters_;
   int scale_exponent_ = 0;
   int dimension_ = -1;
 };
