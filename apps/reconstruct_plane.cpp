@@ -16,6 +16,12 @@ void require_plane_options(const Request& request) {
   if (request.criterion != "paper")
     throw std::invalid_argument("--criterion " + request.criterion +
                                 " is for points in space");
+  if (request.method != "umbrella")
+    throw std::invalid_argument("--method " + request.method +
+                                " is for points in space");
+  if (request.umbrella != "first")
+    throw std::invalid_argument("--umbrella " + request.umbrella +
+                                " is for points in space");
   if (request.stage != Stage::Closed && request.curve &&
       *request.curve != CurveMode::Paper)
     throw std::invalid_argument(

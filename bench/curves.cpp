@@ -21,6 +21,7 @@
 #include "tests/support/curve_instances.h"
 #include "umbrella/curve.h"
 #include "umbrella/curve_baselines.h"
+#include "umbrella/plane_complexes.h"
 
 namespace {
 
@@ -74,7 +75,7 @@ std::vector<Method> methods() {
                  [](const Triangulation2& t) {
                    return umbrella::beta_skeleton(t, 1.2);
                  }),
-          theirs("Gabriel", umbrella::gabriel_graph)};
+          theirs("Gabriel", umbrella::gabriel_complex)};
 }
 
 /// What a method made of the instances of a group.

@@ -10,6 +10,7 @@
 
 #include "tests/support/curve_instances.h"
 #include "tests/support/point_sets.h"
+#include "umbrella/plane_complexes.h"
 
 namespace umbrella {
 namespace {
@@ -72,7 +73,7 @@ TEST(CurveBaselines, SkeletonIsThatOfTheDefinition) {
           tests::make_points<2>(tests::Family::Uniform, 60, seed));
       EXPECT_THAT(beta_skeleton(t, beta),
                   ElementsAreArray(skeleton_by_trying(t, beta)));
-      EXPECT_TRUE(beta > 1 || gabriel_graph(t) == beta_skeleton(t, 1));
+      EXPECT_TRUE(beta > 1 || gabriel_complex(t) == beta_skeleton(t, 1));
     }
   }
 }

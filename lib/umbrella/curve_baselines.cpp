@@ -63,15 +63,6 @@ std::optional<Point2> circumcenter(const Point2& a, const Point2& b,
   return center;
 }
 
-/// Is the angle at p acute, and its sine at most 1 / beta?
-bool sees_from_outside(const Point2& p, const Point2& a, const Point2& b,
-                       double beta) {
-  const Point2 u = a - p;
-  const Point2 v = b - p;
-  const double area = std::abs(u.x() * v.y() - u.y() * v.x());
-  return u.dot(v) >= 0 && beta * area <= u.norm() * v.norm();
-}
-
 }  // namespace
 
 std::vector<Edge> crust(const Triangulation2& samples) {
@@ -115,36 +106,6 @@ std::vector<Edge> hnn_crust(const Triangulation2& samples) {
                      [](const Point2& p, const Point2& q, const Point2& r) {
                        return 2 * (q - p).dot(r - p) < (q - p).squaredNorm();
                      });
-}
-
-std::vector<Edge> beta_skeleton(const Triangulation2& samples, double beta) {
-  std::vector<Edge> edges;
-  for (std::uint32_t c = 0; c < samples.n_finite_cells(); ++c) {
-    const Cell2& cell = samples.cell(delaunay::CellId{c});
-    for (unsigned i = 0; i < 3; ++i) {
-      const delaunay::Side there = cell.neighbor[i];
-      if (there.cell() < delaunay::CellId{c}) continue;
-      const auto& k = delaunay::kSideCorners[i];
-      const VertexId v = cell.vertex[k[0]];
-      const VertexId w = cell.vertex[k[1]];
-      const VertexId beyond = samples.cell(there.cell()).vertex[there.index()];
-      const auto is_clear = [&](VertexId apex) {
-        return apex == delaunay::kInfinite ||
-               sees_from_outside(samples.point(apex), samples.point(v),
-                                 samples.point(w), beta);
-      };
-      if (is_clear(cell.vertex[i]) && is_clear(beyond)) edges.push_back({v, w});
-    }
-  }
-  make_distinct(edges);
-  return edges;
-}
-
-std::vector<Edge> gabriel_graph(const Triangulation2& samples) {
-  std::vector<Edge> edges;
-  for (const DelaunayEdge& edge : delaunay_edges(samples))
-    if (edge.is_gabriel) edges.push_back(edge.ends);
-  return edges;
 }
 
 }  // namespace umbrella

@@ -1,7 +1,8 @@
 /// @file
 /// Reconstructions of curves by others, to compare with. Each gives edges of
 /// the Delaunay triangulation, ascending; decisions are by rounded lengths and
-/// angles where nothing else is said.
+/// angles where nothing else is said. Gabriel graphs and beta-skeletons are in
+/// plane_complexes.h.
 #pragma once
 
 #include <vector>
@@ -22,15 +23,5 @@ std::vector<Edge> nn_crust(const delaunay::Triangulation2& samples);
 /// The same, with r on the vertex's side of the bisector between it and q: the
 /// angle may be as low as 60 degrees [Ohrhallinger16, Sec. 4].
 std::vector<Edge> hnn_crust(const delaunay::Triangulation2& samples);
-
-/// Edges such that no sample lies in one of the two discs of diameter beta |e|
-/// through their ends [Kirkpatrick85; Adamy02, Sec. 2].
-///
-/// @param beta  at least 1; 1 is gabriel_graph() up to rounding
-std::vector<Edge> beta_skeleton(const delaunay::Triangulation2& samples,
-                                double beta);
-
-/// Edges whose open diametral disc holds no sample; exact.
-std::vector<Edge> gabriel_graph(const delaunay::Triangulation2& samples);
 
 }  // namespace umbrella
