@@ -6,6 +6,7 @@
 
 #include "ilp/improve.h"
 #include "tests/support/ilp_programs.h"
+#include "tests/support/ilp_proofs.h"
 
 namespace {
 
@@ -21,14 +22,25 @@ using ilp::VarId;
 // In the order alone, after few conflicts in it, and without.
 constexpr std::array<std::uint64_t, 3> kInOrder = {1'000'000, 2, 0};
 
-void expect_least(Solver& solver, const Problem& problem,
+void expect_proof(support::CheckedLog& checked, const Improvement& found,
                   const std::vector<VarId>& order) {
+  EXPECT_EQ(checked.first_flaw(), "");
+  if (found.status == Status::Optimal) {
+    EXPECT_TRUE(checked.shows_least(found.model, order));
+  } else {
+    EXPECT_TRUE(checked.checker().is_refuted());
+  }
+}
+
+void expect_least(Solver& solver, support::CheckedLog& checked,
+                  const Problem& problem, const std::vector<VarId>& order) {
   const auto least = support::least_model(problem, order);
   for (const std::uint64_t in_order : kInOrder) {
     const Improvement found = minimize_worst_first(solver, order, {}, in_order);
     ASSERT_EQ(found.status, least ? Status::Optimal : Status::Infeasible);
     EXPECT_EQ(found.n_proven, least ? order.size() : 0);
     EXPECT_EQ(found.model, least.value_or(Model{}));
+    expect_proof(checked, found, order);
   }
 }
 
@@ -39,9 +51,11 @@ TEST(MinimizeWorstFirst, FindsTheLeastModelOfEnumeration) {
     for (const Problem& problem : {support::random_surface_program(rng, 12),
                                    support::random_program(rng, 10)}) {
       Solver solver(problem);
+      support::CheckedLog checked(problem);
+      solver.set_log(checked.log());
       const std::size_t n = problem.n_variables();
-      expect_least(solver, problem, support::random_order(rng, n));
-      expect_least(solver, problem, support::random_order(rng, n));
+      for (int k = 0; k < 2; ++k)
+        expect_least(solver, checked, problem, support::random_order(rng, n));
     }
     if (HasFailure()) return;
   }
@@ -54,15 +68,17 @@ TEST(MinimizeWorstFirst, FindsTheLeastModelAfterEachCut) {
     Problem problem = support::random_surface_program(rng, 12);
     const auto order = support::random_order(rng, problem.n_variables());
     Solver solver(problem);
+    support::CheckedLog checked(problem);
+    solver.set_log(checked.log());
     while (const auto least = support::least_model(problem, order)) {
-      expect_least(solver, problem, order);
+      expect_least(solver, checked, problem, order);
       std::vector<Literal> cut;
       for (const VarId v : order)
         if (rng() % 2 == 0) cut.emplace_back(v, !(*least)[index(v)]);
       problem.add_clause(cut);
       solver.add_clause(cut);
     }
-    expect_least(solver, problem, order);
+    expect_least(solver, checked, problem, order);
     if (HasFailure()) return;
   }
 }
@@ -93,8 +109,11 @@ TEST(MinimizeWorstFirst, KeepsTheBestModelAtALimit) {
   std::mt19937_64 rng(3);
   const auto order = support::random_order(rng, problem.n_variables());
   Solver complete(problem);
+  support::CheckedLog checked(problem);
+  complete.set_log(checked.log());
   const Improvement least = minimize_worst_first(complete, order);
   ASSERT_EQ(least.status, Status::Optimal);
+  expect_proof(checked, least, order);
   ASSERT_EQ(first_violation(problem, least.model), "");
 
   std::size_t n_feasible = 0;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <limits>
 #include <stdexcept>
 #include <vector>
 
@@ -14,6 +16,7 @@ using ilp::Literal;
 using ilp::Model;
 using ilp::Problem;
 using ilp::Spoke;
+using ilp::Term;
 using ilp::VarId;
 using ilp::Wall;
 
@@ -71,6 +74,15 @@ TEST(FirstViolation, OfSidesIsAnOddCycleOfWalls) {
   EXPECT_EQ(first_violation(problem, {true, false, true}), "sides 0");
 }
 
+TEST(FirstViolation, OfALinearConstraintIsASumAboveItsBound) {
+  Problem problem = with_variables(3);
+  problem.add_linear(std::array{Term{kX, 3}, Term{kY, -2}, Term{kZ, 1}}, 1);
+  EXPECT_EQ(first_violation(problem, {false, false, true}), "");
+  EXPECT_EQ(first_violation(problem, {true, true, false}), "");
+  EXPECT_EQ(first_violation(problem, {true, true, true}), "linear 0");
+  EXPECT_EQ(first_violation(problem, {true, false, false}), "linear 0");
+}
+
 TEST(FirstViolation, NamesClausesFixedVariablesAndSize) {
   Problem problem = with_variables(2);
   problem.add_clause(std::array{Literal(kX, true), Literal(kY, false)});
@@ -90,10 +102,29 @@ TEST(Problem, RefusesWhatMakesNoSense) {
   EXPECT_THROW(problem.add_ring(std::array{Spoke{kX, 0, 2}}), Error);
   EXPECT_THROW(problem.add_sides(std::array{Wall{kX, 0, 2}}), Error);
   EXPECT_THROW(problem.add_clause(std::array{Literal(kZ, true)}), Error);
+  EXPECT_THROW(problem.add_linear(std::array{Term{kZ, 1}}, 0), Error);
+  EXPECT_THROW(problem.add_linear(std::array{Term{kX, 1}, Term{kX, 1}}, 0),
+               Error);
   EXPECT_THROW(problem.fix(kZ, true), Error);
   EXPECT_EQ(problem.n_pairs() + problem.n_rings() + problem.n_sides() +
-                problem.n_clauses() + problem.fixed().size(),
+                problem.n_clauses() + problem.n_linear() +
+                problem.fixed().size(),
             0U);
+}
+
+TEST(Problem, RefusesLinearConstraintsThatMightOverflow) {
+  constexpr std::int64_t kMin = std::numeric_limits<std::int64_t>::min();
+  Problem problem = with_variables(2);
+  const auto add = [&problem](std::int64_t a, std::int64_t b) {
+    problem.add_linear(std::array{Term{kX, a}, Term{kY, a}}, b);
+  };
+  constexpr std::int64_t kQuarter = ilp::kMaxLinearSum / 4;
+  EXPECT_NO_THROW(add(kQuarter, 2 * kQuarter));
+  EXPECT_NO_THROW(add(-kQuarter, -2 * kQuarter));
+  EXPECT_THROW(add(kQuarter, 2 * kQuarter + 1), std::invalid_argument);
+  EXPECT_THROW(add(kMin, 0), std::invalid_argument);
+  EXPECT_THROW(add(0, kMin), std::invalid_argument);
+  EXPECT_EQ(problem.n_linear(), 2U);
 }
 
 // The boundary of a 4-simplex: ten triangles between five cells. Cell i lacks

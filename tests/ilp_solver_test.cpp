@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <cstdint>
 #include <random>
 #include <stdexcept>
 #include <string>
@@ -11,6 +13,7 @@
 
 #include "ilp/solver.h"
 #include "tests/support/ilp_programs.h"
+#include "tests/support/ilp_proofs.h"
 
 namespace {
 
@@ -22,6 +25,7 @@ using ilp::Problem;
 using ilp::Solver;
 using ilp::Statistics;
 using ilp::Status;
+using ilp::Term;
 using ilp::VarId;
 
 using Generator = Problem (*)(std::mt19937_64&, std::uint32_t);
@@ -41,7 +45,7 @@ void expect_core(const Core& core, const Problem& problem,
 }
 
 // One solver, asked without, with and again without assumptions, finds a model
-// exactly where enumeration does, and else a core.
+// exactly where enumeration does, and else a core and a proof.
 void expect_agrees_with_enumeration(const Problem& problem,
                                     std::mt19937_64& rng) {
   std::vector<Literal> assumptions;
@@ -49,6 +53,8 @@ void expect_agrees_with_enumeration(const Problem& problem,
     if (rng() % 4 == 0) assumptions.emplace_back(v, rng() % 2 == 0);
 
   Solver solver(problem);
+  support::CheckedLog checked(problem);
+  solver.set_log(checked.log());
   solver.set_priority(support::random_order(rng, problem.n_variables()));
   for (const bool is_assumed : {false, true, false}) {
     const auto asked = is_assumed ? assumptions : std::vector<Literal>{};
@@ -59,6 +65,9 @@ void expect_agrees_with_enumeration(const Problem& problem,
       EXPECT_EQ(first_violation(fixed, solver.model()), "");
     } else {
       expect_core(solver.core(), problem, asked);
+      EXPECT_EQ(checked.first_flaw(), "");
+      EXPECT_TRUE(checked.excludes(asked));
+      EXPECT_EQ(checked.checker().is_refuted(), !has_model(problem));
     }
   }
 }
@@ -110,6 +119,8 @@ TEST(Solver, EnumeratesAllModelsByClauses) {
   const Problem problem = support::surface_program(
       triangles, std::array<std::uint32_t, 5>{0, 1, 2, 3, 4});
   Solver solver(problem);
+  support::CheckedLog checked(problem);
+  solver.set_log(checked.log());
   int n_models = 0;
   while (solver.solve() == Status::Feasible && n_models < 100) {
     ++n_models;
@@ -121,11 +132,62 @@ TEST(Solver, EnumeratesAllModelsByClauses) {
               static_cast<std::uint32_t>(n_models));
   }
   EXPECT_EQ(n_models, 16);
+  EXPECT_EQ(checked.first_flaw(), "");
+  EXPECT_TRUE(checked.checker().is_refuted());
   // The refutation needs the clause against each model.
   EXPECT_EQ(
       std::ranges::count(solver.core().constraints, ilp::ConstraintKind::Clause,
                          &ilp::ConstraintId::kind),
       16);
+}
+
+TEST(Solver, TakesLinearConstraintsBetweenCalls) {
+  std::mt19937_64 rng(29);
+  for (int trial = 0; trial < 500; ++trial) {
+    SCOPED_TRACE(testing::Message() << "trial " << trial);
+    Problem problem = support::random_program(rng, 10);
+    Solver solver(problem);
+    support::CheckedLog checked(problem);
+    solver.set_log(checked.log());
+    solver.solve();
+    for (int k = 0; k < 3; ++k) {
+      std::vector<Term> terms;
+      for (const VarId v : support::random_order(rng, problem.n_variables()))
+        terms.push_back({v, static_cast<std::int64_t>(rng() % 7) - 3});
+      const auto bound = static_cast<std::int64_t>(rng() % 5) - 2;
+      const auto id = problem.add_linear(terms, bound);
+      EXPECT_EQ(solver.add_linear(terms, bound), id);
+      const Status status = solver.solve();
+      ASSERT_EQ(status,
+                has_model(problem) ? Status::Feasible : Status::Infeasible);
+      if (status == Status::Infeasible) {
+        EXPECT_EQ(checked.first_flaw(), "");
+        EXPECT_TRUE(checked.checker().is_refuted());
+        break;
+      }
+      EXPECT_EQ(first_violation(problem, solver.model()), "");
+    }
+  }
+}
+
+TEST(Solver, CountsPigeonsByLinearConstraints) {
+  Problem problem;
+  problem.add_variables(42);
+  std::vector<Term> somewhere, here;
+  for (std::uint32_t p = 0; p < 7; ++p) {
+    somewhere.clear();
+    for (std::uint32_t h = 0; h < 6; ++h)
+      somewhere.push_back({VarId{6 * p + h}, -1});
+    problem.add_linear(somewhere, -1);
+  }
+  for (std::uint32_t h = 0; h < 6; ++h) {
+    here.clear();
+    for (std::uint32_t p = 0; p < 7; ++p) here.push_back({VarId{6 * p + h}, 1});
+    problem.add_linear(here, 1);
+  }
+  Solver solver(problem);
+  EXPECT_EQ(solver.solve(), Status::Infeasible);
+  EXPECT_EQ(solver.core().constraints.size(), 13U);
 }
 
 // Runs the same calls on a new solver; the statistics tell the trace.
@@ -167,7 +229,10 @@ Problem pigeons() {
 }
 
 TEST(Solver, StopsAtItsLimitsAndGoesOn) {
-  Solver solver(pigeons());
+  const Problem problem = pigeons();
+  Solver solver(problem);
+  support::CheckedLog checked(problem);
+  solver.set_log(checked.log());
   EXPECT_EQ(solver.solve({}, {.conflicts = 10}), Status::Limit);
   EXPECT_EQ(solver.statistics().conflicts, 10U);
   EXPECT_EQ(solver.solve({}, {.conflicts = 5}), Status::Limit);
@@ -176,8 +241,12 @@ TEST(Solver, StopsAtItsLimitsAndGoesOn) {
   EXPECT_EQ(solver.solve({}, {.propagations = 100}), Status::Limit);
   EXPECT_LT(solver.statistics().propagations, before + 300);
   EXPECT_EQ(solver.solve({}, {.seconds = 0}), Status::Limit);
+  const std::atomic<bool> stop = true;
+  EXPECT_EQ(solver.solve({}, {.stop = &stop}), Status::Limit);
   EXPECT_EQ(solver.solve(), Status::Infeasible);
-  EXPECT_EQ(solver.core().constraints.size(), pigeons().n_clauses());
+  EXPECT_EQ(solver.core().constraints.size(), problem.n_clauses());
+  EXPECT_EQ(checked.first_flaw(), "");
+  EXPECT_TRUE(checked.checker().is_refuted());
 }
 
 TEST(Solver, CoreLeavesOutWhatIsElsewhere) {
@@ -199,6 +268,8 @@ TEST(Solver, RefusesUnknownVariables) {
   const std::array unknown = {Literal(VarId{42}, true)};
   EXPECT_THROW(solver.solve(unknown), std::invalid_argument);
   EXPECT_THROW(solver.add_clause(unknown), std::invalid_argument);
+  EXPECT_THROW(solver.add_linear(std::array{Term{VarId{42}, 1}}, 0),
+               std::invalid_argument);
 }
 
 }  // namespace

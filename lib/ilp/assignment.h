@@ -13,9 +13,9 @@ namespace ilp {
 
 /// What forced a literal.
 struct Reason {
-  enum class Kind : std::uint32_t { None, Pair, Ring, Sides, Clause };
+  enum class Kind : std::uint32_t { None, Pair, Ring, Sides, Clause, Linear };
   Kind kind = Kind::None;   ///< None: a decision, or fixed by the problem
-  std::uint32_t index = 0;  ///< of the pair, the ring, the wall or the clause
+  std::uint32_t index = 0;  ///< of the pair, ring, wall, clause or row
   VarId on_cycle{};         ///< Ring: a spoke of the cycle that closed
 };
 

@@ -1,7 +1,6 @@
 #include "ilp/clauses.h"
 
 #include <algorithm>
-#include <functional>
 #include <utility>
 
 namespace ilp {
@@ -77,7 +76,7 @@ void Clauses::explain(Literal l, const Assignment& assignment,
     if (other != l) out.push_back(!other);
 }
 
-void Clauses::forget(Assignment& assignment) {
+void Clauses::forget(Assignment& assignment, const OnForgotten& on_forgotten) {
   std::vector<bool> is_reason(store_.size(), false);
   for (const Literal l : assignment.trail()) {
     const Reason& r = assignment.reason(l.var());
@@ -91,8 +90,10 @@ void Clauses::forget(Assignment& assignment) {
                            [this](ClauseRef c) { return store_.glue(c); });
   worst_first.resize(worst_first.size() / 2);
   std::vector<bool> is_garbage(store_.size(), false);
-  for (const ClauseRef c : worst_first)
+  for (const ClauseRef c : worst_first) {
     is_garbage[static_cast<std::size_t>(c)] = true;
+    on_forgotten(store_.literals(c));
+  }
 
   const std::vector<ClauseRef> moved = store_.compact(is_garbage);
   for (const Literal l : assignment.trail()) {

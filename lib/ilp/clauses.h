@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -37,7 +38,8 @@ class Clauses {
 
   /// Removes the worse half of the clauses with glue above 2, but none that is
   /// a reason.
-  void forget(Assignment& assignment);
+  using OnForgotten = std::function<void(std::span<const Literal>)>;
+  void forget(Assignment& assignment, const OnForgotten& on_forgotten);
 
  private:
   enum class Visit { Kept, Moved, Failed };

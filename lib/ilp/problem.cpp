@@ -7,8 +7,6 @@
 namespace ilp {
 namespace {
 
-constexpr std::size_t kMaxVariables = std::size_t{1} << 29U;
-
 template <class T>
 ConstraintId add_row(Rows<T>& rows, std::span<const T> row,
                      ConstraintKind kind) {
@@ -76,11 +74,31 @@ bool sides_hold(std::span<const Wall> walls, const Model& model) {
   });
 }
 
+bool linear_holds(std::span<const Term> terms, std::int64_t bound,
+                  const Model& model) {
+  std::int64_t sum = 0;
+  for (const Term& t : terms)
+    if (model[index(t.var)]) sum += t.coefficient;
+  return sum <= bound;
+}
+
 std::string name(const char* kind, std::size_t i) {
   return std::string(kind) + " " + std::to_string(i);
 }
 
 }  // namespace
+
+bool is_in_range(std::span<const Term> terms, std::int64_t bound) {
+  std::uint64_t left = kMaxLinearSum;
+  const auto take = [&left](std::int64_t x) {
+    const auto u = static_cast<std::uint64_t>(x);
+    const std::uint64_t size = x < 0 ? ~u + 1 : u;
+    if (size > left) return false;
+    left -= size;
+    return true;
+  };
+  return take(bound) && std::ranges::all_of(terms, take, &Term::coefficient);
+}
 
 VarId Problem::add_variable() { return add_variables(1); }
 
@@ -129,6 +147,18 @@ ConstraintId Problem::add_clause(std::span<const Literal> literals) {
   return add_row(clauses_, literals, ConstraintKind::Clause);
 }
 
+ConstraintId Problem::add_linear(std::span<const Term> terms,
+                                 std::int64_t bound) {
+  ++n_checks_;
+  for (const Term& t : terms) check_distinct(t.var);
+  if (!is_in_range(terms, bound))
+    throw std::invalid_argument("ilp: linear constraint " +
+                                std::to_string(n_linear()) + " out of range");
+  const ConstraintId id = add_row(linear_, terms, ConstraintKind::Linear);
+  bounds_.push_back(bound);
+  return id;
+}
+
 void Problem::fix(VarId var, bool value) {
   check_known(var);
   fixed_.emplace_back(var, value);
@@ -165,6 +195,9 @@ std::string first_violation(const Problem& problem, const Model& model) {
   for (std::size_t i = 0; i < problem.n_clauses(); ++i)
     if (std::ranges::none_of(problem.clause(i), holds))
       return name("clause", i);
+  for (std::size_t i = 0; i < problem.n_linear(); ++i)
+    if (!linear_holds(problem.linear(i), problem.bound(i), model))
+      return name("linear", i);
   return {};
 }
 

@@ -1,80 +1,26 @@
 /// @file
-/// A 0/1 program over pairs, rings and clauses: which triangles make a surface
-/// [Adamy02, Sec. 3.2], said without geometry.
+/// A 0/1 program over pairs, rings, clauses and linear constraints: which
+/// triangles make a surface [Adamy02, Sec. 3.2], said without geometry.
 #pragma once
 
-#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "ilp/constraint.h"
 #include "ilp/rows.h"
 
 namespace ilp {
 
-enum class VarId : std::uint32_t {};
+/// So no sum of a linear constraint overflows, with room to spare.
+inline constexpr std::int64_t kMaxLinearSum = std::int64_t{1} << 61U;
 
-/// Row of `var` in a per-variable array.
-constexpr std::size_t index(VarId var) { return static_cast<std::size_t>(var); }
+/// Whether |bound| and the |coefficients| add up to at most kMaxLinearSum.
+bool is_in_range(std::span<const Term> terms, std::int64_t bound);
 
-/// "Variable `var()` has the value `value()`."
-class Literal {
- public:
-  Literal() = default;
-  constexpr Literal(VarId var, bool value)
-      : code_(2 * static_cast<std::uint32_t>(var) + (value ? 0U : 1U)) {}
-  static constexpr Literal from_code(std::uint32_t code) {
-    return Literal(VarId{code >> 1U}, (code & 1U) == 0);
-  }
-  constexpr VarId var() const { return VarId{code_ >> 1U}; }
-  constexpr bool value() const { return (code_ & 1U) == 0; }
-  /// Row in a per-literal array: 2 var, plus 1 if value() is false.
-  constexpr std::uint32_t code() const { return code_; }
-  constexpr Literal operator!() const { return from_code(code_ ^ 1U); }
-  friend constexpr bool operator==(Literal, Literal) = default;
-  friend constexpr auto operator<=>(Literal a, Literal b) {
-    return a.code_ <=> b.code_;
-  }
-
- private:
-  std::uint32_t code_ = 0;
-};
-
-/// A variable as an edge of a ring's link graph, between the nodes a and b.
-struct Spoke {
-  VarId var;
-  std::uint32_t a;
-  std::uint32_t b;
-};
-
-/// A variable as a wall between the rooms a and b: true if they lie on
-/// different sides; if inverted, true if they lie on the same side.
-struct Wall {
-  VarId var;
-  std::uint32_t a;
-  std::uint32_t b;
-  bool inverted = false;
-};
-
-enum class ConstraintKind : std::uint8_t { Pair, Ring, Sides, Clause };
-
-/// The index-th constraint of its kind, in the order of their addition.
-struct ConstraintId {
-  ConstraintKind kind;
-  std::uint32_t index;
-  friend constexpr bool operator==(const ConstraintId&,
-                                   const ConstraintId&) = default;
-  friend constexpr auto operator<=>(const ConstraintId& a,
-                                    const ConstraintId& b) {
-    const auto rank = [](const ConstraintId& id) {
-      return std::uint64_t{static_cast<std::uint8_t>(id.kind)} << 32U |
-             id.index;
-    };
-    return rank(a) <=> rank(b);
-  }
-};
+inline constexpr std::size_t kMaxVariables = std::size_t{1} << 29U;
 
 /// The values of all variables.
 using Model = std::vector<bool>;
@@ -111,6 +57,11 @@ class Problem {
   /// @throws std::invalid_argument  unknown variable
   ConstraintId add_clause(std::span<const Literal> literals);
 
+  /// The sum of the terms is at most `bound`.
+  /// @throws std::invalid_argument  unknown or repeated variable; the absolute
+  ///   values of the numbers add up to more than kMaxLinearSum
+  ConstraintId add_linear(std::span<const Term> terms, std::int64_t bound);
+
   /// @throws std::invalid_argument  unknown variable
   void fix(VarId var, bool value);
 
@@ -119,11 +70,14 @@ class Problem {
   std::size_t n_rings() const { return rings_.size(); }
   std::size_t n_sides() const { return sides_.size(); }
   std::size_t n_clauses() const { return clauses_.size(); }
+  std::size_t n_linear() const { return linear_.size(); }
   std::span<const VarId> pair(std::size_t i) const { return pairs_[i]; }
   std::span<const Spoke> ring(std::size_t i) const { return rings_[i]; }
   bool is_optional(std::size_t ring) const { return is_optional_[ring]; }
   std::span<const Wall> sides(std::size_t i) const { return sides_[i]; }
   std::span<const Literal> clause(std::size_t i) const { return clauses_[i]; }
+  std::span<const Term> linear(std::size_t i) const { return linear_[i]; }
+  std::int64_t bound(std::size_t linear) const { return bounds_[linear]; }
   std::span<const Literal> fixed() const { return fixed_; }
 
  private:
@@ -134,6 +88,8 @@ class Problem {
   Rows<Spoke> rings_;
   Rows<Wall> sides_;
   Rows<Literal> clauses_;
+  Rows<Term> linear_;
+  std::vector<std::int64_t> bounds_;
   std::vector<bool> is_optional_;
   std::vector<Literal> fixed_;
   std::vector<std::uint32_t> mark_;  // last check that met the variable

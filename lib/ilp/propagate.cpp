@@ -11,10 +11,12 @@ Propagator::Propagator(const Problem& problem)
     : assignment_(problem.n_variables()),
       pairs_and_rings_(problem),
       sides_(problem),
-      clauses_(problem.n_variables()) {
+      clauses_(problem.n_variables()),
+      linears_(problem) {
   is_contradictory_ = !fix(problem) ||
                       !pairs_and_rings_.start(assignment_, conflict_) ||
-                      !sides_.start(assignment_, conflict_);
+                      !sides_.start(assignment_, conflict_) ||
+                      !linears_.start(assignment_, conflict_);
   if (!is_contradictory_) add_initial_clauses(problem);
 }
 
@@ -49,10 +51,12 @@ void Propagator::backtrack(std::uint32_t level) {
   const std::size_t n_kept = assignment_.begin_of_level(level + 1);
   while (n_followed_ > n_kept) {
     const Literal l = assignment_.trail()[--n_followed_];
+    linears_.undo(l);
     sides_.undo(l);
     pairs_and_rings_.undo(l);
   }
   assignment_.backtrack(level);
+  linears_.reopen();
 }
 
 bool Propagator::propagate() {
@@ -66,8 +70,10 @@ bool Propagator::propagate() {
 }
 
 bool Propagator::propagate(Literal l) {
+  linears_.count(l);  // a conflict elsewhere must not keep it from undo()
   return pairs_and_rings_.propagate(l, assignment_, conflict_) &&
          sides_.propagate(l, assignment_, conflict_) &&
+         linears_.propagate(l, assignment_, conflict_) &&
          clauses_.propagate(l, assignment_, conflict_);
 }
 
@@ -82,6 +88,8 @@ void Propagator::explain(Literal l, std::vector<Literal>& out) const {
       return sides_.explain(l, assignment_, out);
     case Reason::Kind::Clause:
       return clauses_.explain(l, assignment_, out);
+    case Reason::Kind::Linear:
+      return linears_.explain(l, assignment_, out);
   }
 }
 
@@ -96,6 +104,8 @@ Antecedent Propagator::origin(const Reason& reason) const {
       return sides_.origin(reason);
     case Reason::Kind::Clause:
       return clauses_.origin(reason);
+    case Reason::Kind::Linear:
+      return Antecedent({ConstraintKind::Linear, reason.index});
   }
   return Antecedent::nothing();
 }
@@ -105,6 +115,21 @@ void Propagator::add_clause(std::span<Literal> literals, Antecedent origin,
   if (is_contradictory_) return;
   is_contradictory_ =
       !clauses_.add(literals, origin, glue, assignment_, conflict_);
+}
+
+void Propagator::add_linear(std::span<const Term> terms, std::int64_t bound) {
+  linears_.add(terms, bound, assignment_.trail().first(n_followed_));
+  settle(linears_.size() - 1);
+}
+
+void Propagator::tighten(std::uint32_t linear, std::int64_t bound) {
+  linears_.tighten(linear, bound);
+  settle(linear);
+}
+
+void Propagator::settle(std::uint32_t linear) {
+  if (is_contradictory_) return;
+  is_contradictory_ = !linears_.settle(linear, assignment_, conflict_);
 }
 
 }  // namespace ilp

@@ -9,6 +9,7 @@
 #include "ilp/antecedents.h"
 #include "ilp/assignment.h"
 #include "ilp/clauses.h"
+#include "ilp/linear.h"
 #include "ilp/pairs_rings.h"
 #include "ilp/problem.h"
 #include "ilp/sides.h"
@@ -41,17 +42,25 @@ class Propagator {
   /// As Clauses::add(); a conflict shows in the next propagate().
   void add_clause(std::span<Literal> literals, Antecedent origin,
                   std::uint32_t glue);
-  void forget_clauses() { clauses_.forget(assignment_); }
+  /// As Linears::add() and tighten(), at level 0; a conflict shows likewise.
+  void add_linear(std::span<const Term> terms, std::int64_t bound);
+  void tighten(std::uint32_t linear, std::int64_t bound);
+  /// As Clauses::forget().
+  void forget_clauses(const Clauses::OnForgotten& on_forgotten) {
+    clauses_.forget(assignment_, on_forgotten);
+  }
 
  private:
   bool fix(const Problem& problem);
   void add_initial_clauses(const Problem& problem);
   bool propagate(Literal l);
+  void settle(std::uint32_t linear);
 
   Assignment assignment_;
   PairsAndRings pairs_and_rings_;
   Sides sides_;
   Clauses clauses_;
+  Linears linears_;
   std::size_t n_followed_ = 0;  // of the trail
   std::uint64_t n_propagated_ = 0;
   bool is_contradictory_ = false;  // at level 0

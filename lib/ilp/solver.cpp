@@ -19,6 +19,7 @@
 #include "ilp/analysis.h"
 #include "ilp/antecedents.h"
 #include "ilp/decision_order.h"
+#include "ilp/proof.h"
 #include "ilp/propagate.h"
 
 namespace ilp {
@@ -51,7 +52,9 @@ class Solver::Search {
         n_rings_(static_cast<std::uint32_t>(problem.n_rings())),
         n_sides_(static_cast<std::uint32_t>(problem.n_sides())),
         n_clauses_(static_cast<std::uint32_t>(problem.n_clauses())),
-        model_(problem.n_variables(), false) {}
+        n_linear_(static_cast<std::uint32_t>(problem.n_linear())),
+        model_(problem.n_variables(), false),
+        preferred_(problem.n_variables(), false) {}
 
   void set_priority(std::span<const VarId> order) {
     backtrack(0);
@@ -66,11 +69,40 @@ class Solver::Search {
   ConstraintId add_clause(std::span<const Literal> literals) {
     check_known(literals);
     backtrack(0);
+    if (log_ != nullptr) log_->join(literals);
     const ConstraintId id{ConstraintKind::Clause, n_clauses_++};
     std::vector<Literal> clause(literals.begin(), literals.end());
     if (normalize(clause)) propagator_.add_clause(clause, Antecedent(id), 0);
     return id;
   }
+
+  ConstraintId add_linear(std::span<const Term> terms, std::int64_t bound) {
+    const ConstraintId id = join_linear(terms, bound);
+    if (log_ != nullptr) log_->join(terms, bound);
+    return id;
+  }
+
+  ConstraintId require_better(std::span<const Term> sum) {
+    std::int64_t bound = -1;
+    for (const auto& [var, a] : sum)
+      if (model_[index(var)]) bound += a;
+    if (objective_ && std::ranges::equal(sum, objective_terms_)) {
+      backtrack(0);
+      propagator_.tighten(objective_->index, bound);
+    } else {
+      objective_ = join_linear(sum, bound);
+      objective_terms_.assign(sum.begin(), sum.end());
+    }
+    if (log_ != nullptr) log_->improve(model_);
+    return *objective_;
+  }
+
+  void prefer(std::span<const Literal> values) {
+    check_known(values);
+    for (const Literal l : values) preferred_[index(l.var())] = l.value();
+  }
+
+  void set_log(ProofLog* log) { log_ = log; }
 
   Status solve(std::span<const Literal> assumptions, const Limits& limits) {
     check_known(assumptions);
@@ -119,6 +151,27 @@ class Solver::Search {
                                     std::to_string(index(l.var())));
   }
 
+  ConstraintId join_linear(std::span<const Term> terms, std::int64_t bound) {
+    check_terms(terms, bound);
+    backtrack(0);
+    propagator_.add_linear(terms, bound);
+    return {ConstraintKind::Linear, n_linear_++};
+  }
+
+  void check_terms(std::span<const Term> terms, std::int64_t bound) const {
+    if (!is_in_range(terms, bound))
+      throw std::invalid_argument("ilp: linear constraint out of range");
+    std::vector<Literal> vars;
+    for (const Term& t : terms) vars.emplace_back(t.var, true);
+    check_known(vars);
+    std::ranges::sort(vars);
+    const auto twice = std::ranges::adjacent_find(vars);
+    if (twice != vars.end())
+      throw std::invalid_argument("ilp: variable " +
+                                  std::to_string(index(twice->var())) +
+                                  " twice in one constraint");
+  }
+
   // Keeps the levels that the new assumptions share with the old decisions.
   void start(std::span<const Literal> assumptions, const Limits& limits) {
     std::uint32_t n_shared = 0;
@@ -135,6 +188,7 @@ class Solver::Search {
     max_conflicts_ = add(statistics_.conflicts, limits.conflicts);
     max_propagations_ = add(propagator_.n_propagated(), limits.propagations);
     max_seconds_ = limits.seconds;
+    stop_ = limits.stop;
     start_time_ = Clock::now();
     n_until_clock_ = 0;
     n_restarts_ = 1;
@@ -160,6 +214,7 @@ class Solver::Search {
     const Lesson& lesson =
         analyzer_.analyze(propagator_, propagator_.conflict(), derivations_);
     const Antecedent origin = derivations_.learn();
+    if (log_ != nullptr) log_->derive(lesson.literals);
     if (branching_ == Branching::Adaptive) {
       for (const VarId v : lesson.touched) order_.bump(v);
       order_.decay();
@@ -173,7 +228,9 @@ class Solver::Search {
   }
 
   void reduce() {
-    propagator_.forget_clauses();
+    propagator_.forget_clauses([this](std::span<const Literal> clause) {
+      if (log_ != nullptr) log_->forget(clause);
+    });
     ++n_reductions_;
     n_until_reduction_ = kFirstReduction + kReductionStep * n_reductions_;
   }
@@ -191,6 +248,7 @@ class Solver::Search {
       if (values().holds(!a)) {
         failed_assumption_ = a;
         refutation_ = {{}, {!a}};
+        if (log_ != nullptr) log_refuted_assumptions();
         return Step::Refuted;
       }
       open_level(a);
@@ -202,14 +260,17 @@ class Solver::Search {
     const VarId next =
         order_.next([this](VarId v) { return values().is_open(v); });
     if (index(next) == model_.size()) return Step::Complete;
-    open_level(Literal(next, false));
-    propagator_.decide(Literal(next, false));
+    const Literal decision(
+        next, branching_ == Branching::Adaptive && preferred_[index(next)]);
+    open_level(decision);
+    propagator_.decide(decision);
     ++statistics_.decisions;
     return Step::Decided;
   }
 
   bool is_out_of_time() {
     if (propagator_.n_propagated() >= max_propagations_) return true;
+    if (stop_ != nullptr && stop_->load(std::memory_order_relaxed)) return true;
     if (std::isinf(max_seconds_)) return false;
     if (n_until_clock_-- > 0) return false;
     n_until_clock_ = kStepsPerClockLook;
@@ -225,7 +286,14 @@ class Solver::Search {
   Status refuted() {
     refutation_ = propagator_.conflict();
     failed_assumption_.reset();
+    if (log_ != nullptr) log_->derive({});
     return Status::Infeasible;
+  }
+
+  void log_refuted_assumptions() {
+    std::vector<Literal> clause;
+    for (const Literal a : core().assumptions) clause.push_back(!a);
+    log_->derive(clause);
   }
 
   Status stopped() {
@@ -243,6 +311,8 @@ class Solver::Search {
       all.push_back({ConstraintKind::Sides, i});
     for (std::uint32_t i = 0; i < n_clauses_; ++i)
       all.push_back({ConstraintKind::Clause, i});
+    for (std::uint32_t i = 0; i < n_linear_; ++i)
+      all.push_back({ConstraintKind::Linear, i});
     return all;
   }
 
@@ -254,11 +324,16 @@ class Solver::Search {
   std::uint32_t n_rings_;
   std::uint32_t n_sides_;
   std::uint32_t n_clauses_;
+  std::uint32_t n_linear_;
 
   Branching branching_ = Branching::Adaptive;
   std::vector<Literal> decisions_;  // of each level; an assumption may hold
   std::vector<Literal> assumptions_;
   Model model_;
+  Model preferred_;
+  std::optional<ConstraintId> objective_;  // of require_better()
+  std::vector<Term> objective_terms_;
+  ProofLog* log_ = nullptr;
   Conflict refutation_;
   std::optional<Literal> failed_assumption_;
   Statistics statistics_;
@@ -266,6 +341,7 @@ class Solver::Search {
   std::uint64_t max_conflicts_ = 0;
   std::uint64_t max_propagations_ = 0;
   double max_seconds_ = 0;
+  const std::atomic<bool>* stop_ = nullptr;
   Clock::time_point start_time_;
   std::uint64_t n_until_clock_ = 0;
   std::uint64_t n_restarts_ = 0;  // of this call, plus 1
@@ -291,6 +367,21 @@ void Solver::set_branching(Branching branching) {
 ConstraintId Solver::add_clause(std::span<const Literal> literals) {
   return search_->add_clause(literals);
 }
+
+ConstraintId Solver::add_linear(std::span<const Term> terms,
+                                std::int64_t bound) {
+  return search_->add_linear(terms, bound);
+}
+
+ConstraintId Solver::require_better(std::span<const Term> sum) {
+  return search_->require_better(sum);
+}
+
+void Solver::prefer(std::span<const Literal> values) {
+  search_->prefer(values);
+}
+
+void Solver::set_log(ProofLog* log) { search_->set_log(log); }
 
 Status Solver::solve(std::span<const Literal> assumptions,
                      const Limits& limits) {

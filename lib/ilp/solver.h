@@ -2,6 +2,7 @@
 /// Conflict-driven search for a solution of a 0/1 program.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -24,6 +25,9 @@ struct Limits {
   std::uint64_t conflicts = std::numeric_limits<std::uint64_t>::max();
   std::uint64_t propagations = std::numeric_limits<std::uint64_t>::max();
   double seconds = std::numeric_limits<double>::infinity();
+  /// The call ends soon after this becomes true; may be set by any thread or
+  /// by a signal handler, and must outlive the call.
+  const std::atomic<bool>* stop = nullptr;
 };
 
 /// Totals since the solver was made.
@@ -46,6 +50,8 @@ enum class Branching {
   Adaptive  ///< variables of recent conflicts first
 };
 
+class ProofLog;
+
 class Solver {
  public:
   explicit Solver(const Problem& problem);
@@ -54,14 +60,28 @@ class Solver {
   Solver& operator=(Solver&&) noexcept;
 
   /// Variables to decide first, each once; the others follow by number. A
-  /// decision sets its variable false.
+  /// decision sets its variable false, unless prefer() says otherwise.
   void set_priority(std::span<const VarId> order);
   void set_branching(Branching branching);
+
+  /// Adaptive decisions set the variable so; without a word, false.
+  /// @throws std::invalid_argument  unknown variable
+  void prefer(std::span<const Literal> values);
 
   /// Adds a constraint for all later calls.
   /// @return its id: clauses are counted on from those of the problem
   /// @throws std::invalid_argument  unknown variable
   ConstraintId add_clause(std::span<const Literal> literals);
+
+  /// Likewise; the terms as for Problem::add_linear().
+  ConstraintId add_linear(std::span<const Term> terms, std::int64_t bound);
+
+  /// From now on models must have a smaller sum than the last one found.
+  /// @return the linear constraint that says so; a call with the same terms as
+  ///   the call before tightens it
+  /// @throws std::invalid_argument  as Problem::add_linear()
+  /// @pre the last call was a solve() that returned Feasible
+  ConstraintId require_better(std::span<const Term> sum);
 
   /// Looks for a model in which the assumptions hold. What was learned serves
   /// later calls; those whose assumptions begin alike are the quickest.
@@ -79,6 +99,11 @@ class Solver {
   Core core() const;
 
   Statistics statistics() const;
+
+  /// Writes what is derived from now on; none: stops that. A log from the first
+  /// solve() on lets a ProofChecker follow every Infeasible.
+  /// @param log  must outlive its use
+  void set_log(ProofLog* log);
 
  private:
   class Search;

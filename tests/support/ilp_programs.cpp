@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstdlib>
 #include <map>
 #include <numeric>
 
@@ -12,6 +13,7 @@ using ilp::Literal;
 using ilp::Model;
 using ilp::Problem;
 using ilp::Spoke;
+using ilp::Term;
 using ilp::VarId;
 using ilp::Wall;
 
@@ -38,14 +40,6 @@ std::vector<Literal> random_clause(std::mt19937_64& rng, std::uint32_t n) {
   return clause;
 }
 
-void add_random_extras(std::mt19937_64& rng, Problem& problem) {
-  const auto n = static_cast<std::uint32_t>(problem.n_variables());
-  for (std::uint32_t k = below(rng, 4); k > 0; --k)
-    problem.add_clause(random_clause(rng, n));
-  for (std::uint32_t k = below(rng, 4); k > 0; --k)
-    problem.fix(VarId{below(rng, n)}, below(rng, 2) == 0);
-}
-
 std::vector<VarId> random_subset(std::mt19937_64& rng, std::uint32_t n,
                                  std::size_t size) {
   std::vector<VarId> vars = random_order(rng, n);
@@ -61,6 +55,38 @@ std::vector<Wall> random_walls(std::mt19937_64& rng, std::uint32_t n) {
         {v, below(rng, n_rooms), below(rng, n_rooms), below(rng, 2) == 0});
   if (2 * walls.size() < n_rooms) walls.clear();
   return walls;
+}
+
+std::vector<Term> random_terms(std::mt19937_64& rng, std::uint32_t n) {
+  std::vector<Term> terms;
+  const std::int64_t range = std::int64_t{1} << below(rng, 5);
+  for (const VarId v : random_subset(rng, n, 1 + below(rng, 9))) {
+    const auto size = static_cast<std::int64_t>(rng()) % (range + 1);
+    terms.push_back({v, size});
+  }
+  return terms;
+}
+
+// Near what half of the variables give.
+void add_random_linear(std::mt19937_64& rng, Problem& problem) {
+  const auto n = static_cast<std::uint32_t>(problem.n_variables());
+  const std::vector<Term> terms = random_terms(rng, n);
+  std::int64_t sum = 0, size = 0;
+  for (const Term& t : terms) {
+    sum += t.coefficient;
+    size += std::abs(t.coefficient);
+  }
+  problem.add_linear(
+      terms, sum / 2 + static_cast<std::int64_t>(rng()) % (size / 2 + 1));
+}
+
+void add_random_extras(std::mt19937_64& rng, Problem& problem) {
+  const auto n = static_cast<std::uint32_t>(problem.n_variables());
+  for (std::uint32_t k = below(rng, 4); k > 0; --k)
+    problem.add_clause(random_clause(rng, n));
+  for (std::uint32_t k = below(rng, 4); k > 0; --k)
+    problem.fix(VarId{below(rng, n)}, below(rng, 2) == 0);
+  if (below(rng, 3) == 0) add_random_linear(rng, problem);
 }
 
 }  // namespace
@@ -179,6 +205,8 @@ Problem random_program(std::mt19937_64& rng, std::uint32_t max_variables) {
   }
   for (std::uint32_t k = below(rng, 3); k > 0; --k)
     problem.add_sides(random_walls(rng, n));
+  for (std::uint32_t k = below(rng, 4); k > 0; --k)
+    add_random_linear(rng, problem);
   add_random_extras(rng, problem);
   return problem;
 }
@@ -198,6 +226,8 @@ Problem part_of(const Problem& problem,
       part.add_ring(problem.ring(i), problem.is_optional(i));
     if (kind == ConstraintKind::Sides) part.add_sides(problem.sides(i));
     if (kind == ConstraintKind::Clause) part.add_clause(problem.clause(i));
+    if (kind == ConstraintKind::Linear)
+      part.add_linear(problem.linear(i), problem.bound(i));
   }
   return with_fixed(part, problem.fixed());
 }
@@ -209,25 +239,58 @@ std::vector<VarId> random_order(std::mt19937_64& rng, std::size_t n) {
   return order;
 }
 
+namespace {
+
+/// The fixed values, the others false; nothing if they contradict each other.
+std::optional<Model> fixed_values(const Problem& problem,
+                                  std::vector<bool>& is_fixed) {
+  Model model(problem.n_variables(), false);
+  is_fixed.assign(problem.n_variables(), false);
+  for (const Literal l : problem.fixed()) {
+    if (is_fixed[index(l.var())] && model[index(l.var())] != l.value())
+      return std::nullopt;
+    is_fixed[index(l.var())] = true;
+    model[index(l.var())] = l.value();
+  }
+  return model;
+}
+
+struct PairBits {
+  int n_fixed_true = 0;
+  std::uint32_t free = 0;
+
+  bool holds(std::uint32_t x) const {
+    const int n_true = n_fixed_true + std::popcount(x & free);
+    return n_true == 0 || n_true == 2;
+  }
+};
+
+}  // namespace
+
 std::optional<Model> least_model(const Problem& problem,
                                  std::span<const VarId> order) {
-  const std::size_t n = order.size();
-  // Bit n-1-i of the counter is the i-th variable of the order.
-  std::vector<std::uint32_t> bit(n);
-  for (std::size_t i = 0; i < n; ++i) bit[index(order[i])] = 1U << (n - 1 - i);
-  std::vector<std::uint32_t> pairs;
-  for (std::size_t p = 0; p < problem.n_pairs(); ++p) {
-    pairs.push_back(0);
-    for (const VarId v : problem.pair(p)) pairs.back() |= bit[index(v)];
-  }
-  Model model(n);
+  std::vector<bool> is_fixed;
+  std::optional<Model> model = fixed_values(problem, is_fixed);
+  if (!model) return std::nullopt;
+  std::vector<VarId> free;
+  for (const VarId v : order)
+    if (!is_fixed[index(v)]) free.push_back(v);
+  // Bit n-1-i of the counter is the i-th free variable of the order.
+  const std::size_t n = free.size();
+  std::vector<std::uint32_t> bit(order.size(), 0);
+  for (std::size_t i = 0; i < n; ++i) bit[index(free[i])] = 1U << (n - 1 - i);
+  std::vector<PairBits> pairs(problem.n_pairs());
+  for (std::size_t p = 0; p < problem.n_pairs(); ++p)
+    for (const VarId v : problem.pair(p)) {
+      pairs[p].free |= bit[index(v)];
+      if ((*model)[index(v)]) ++pairs[p].n_fixed_true;
+    }
   for (std::uint32_t x = 0; x < 1U << n; ++x) {
-    if (std::ranges::any_of(pairs, [x](std::uint32_t mask) {
-          return (x & mask) != 0 && std::popcount(x & mask) != 2;
-        }))
+    if (!std::ranges::all_of(pairs,
+                             [x](const PairBits& p) { return p.holds(x); }))
       continue;
-    for (std::size_t v = 0; v < n; ++v) model[v] = (x & bit[v]) != 0;
-    if (first_violation(problem, model).empty()) return model;
+    for (const VarId v : free) (*model)[index(v)] = (x & bit[index(v)]) != 0;
+    if (first_violation(problem, *model).empty()) return model;
   }
   return std::nullopt;
 }

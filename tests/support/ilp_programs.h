@@ -53,7 +53,7 @@ ilp::Problem part_of(const ilp::Problem& problem,
 std::vector<ilp::VarId> random_order(std::mt19937_64& rng, std::size_t n);
 
 /// By enumeration: the model that is lexicographically least in this order of
-/// all variables. At most 20 variables.
+/// all variables. At most 20 that are not fixed.
 std::optional<ilp::Model> least_model(const ilp::Problem& problem,
                                       std::span<const ilp::VarId> order);
 

@@ -1,0 +1,127 @@
+// Holes in reconstructed surfaces: our solver, depth first without learning,
+// CaDiCaL and CBC. Prints a table of median milliseconds, set-up included.
+// Call: ilp_peers [holes in a row [seconds for a hole]]. A method whose median
+// passes the limit is not asked for larger holes.
+//
+// Ours decides worst triangles first, false first: that order is knowledge of
+// the problem which the peers do not have. They get the cuts in the strong
+// form, and "false first" where they can be told. Only ours also finds the
+// least model in that order; `any` is the comparable column.
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "ilp/baseline.h"
+#include "ilp/improve.h"
+#include "ilp/solver.h"
+#include "tests/support/cbc_peer.h"
+#include "tests/support/clause_peer.h"
+#include "tests/support/hole_programs.h"
+
+namespace {
+
+using ilp::Status;
+using support::HoleMaker;
+using support::HoleProgram;
+
+using Method = std::function<Status(const HoleProgram&, double seconds)>;
+
+Status any(const HoleProgram& hole, double seconds) {
+  ilp::Solver solver(hole.problem);
+  solver.set_priority(hole.worst_first);
+  return solver.solve({}, {.seconds = seconds});
+}
+
+Status least(const HoleProgram& hole, double seconds) {
+  ilp::Solver solver(hole.problem);
+  return minimize_worst_first(solver, hole.worst_first, {.seconds = seconds})
+      .status;
+}
+
+Status by_depth(const HoleProgram& hole, double seconds) {
+  return depth_first(hole.problem, hole.worst_first, {}, {.seconds = seconds})
+      .status;
+}
+
+Status by_clauses(const HoleProgram& hole, double seconds) {
+  return support::solve_by_clauses(hole.problem, {.seconds = seconds}).status;
+}
+
+Status by_inequalities(const HoleProgram& hole, double seconds) {
+  return support::solve_by_inequalities(hole.problem, seconds).status;
+}
+
+// "1.23", or "> 1.23" where the limit came first for the median hole.
+std::string median(const std::vector<HoleProgram>& holes, const Method& method,
+                   double seconds) {
+  struct Run {
+    double milliseconds;
+    bool is_stopped;
+  };
+  std::vector<Run> runs;
+  for (const HoleProgram& hole : holes) {
+    const auto begin = std::chrono::steady_clock::now();
+    const Status status = method(hole, seconds);
+    const std::chrono::duration<double, std::milli> passed =
+        std::chrono::steady_clock::now() - begin;
+    runs.push_back({passed.count(),
+                    status == Status::Limit || passed.count() > 1e3 * seconds});
+  }
+  std::ranges::sort(runs, {}, &Run::milliseconds);
+  const Run& middle = runs[runs.size() / 2];
+  std::array<char, 32> text;
+  std::snprintf(text.data(), text.size(), "%s%.3g",
+                middle.is_stopped ? "> " : "", middle.milliseconds);
+  return text.data();
+}
+
+struct Row {
+  const char* name;
+  HoleMaker::Shape shape;
+};
+
+void print_rows(const Row& row, std::size_t n_holes, double seconds) {
+  const HoleMaker maker(row.shape);
+  std::vector<Method> methods = {any, least, by_depth, by_clauses,
+                                 by_inequalities};
+  for (const std::size_t n : {30, 100, 300, 1000}) {
+    std::vector<HoleProgram> holes;
+    for (std::size_t seed = 1; seed <= n_holes; ++seed)
+      holes.push_back(maker.hole(n, seed));
+    std::printf("| %s | %zu | %zu |", row.name, n,
+                holes.front().worst_first.size());
+    for (Method& method : methods) {
+      const std::string text = method ? median(holes, method, seconds) : "-";
+      std::printf(" %s |", text.c_str());
+      std::fflush(stdout);
+      if (text.starts_with(">")) method = nullptr;
+    }
+    std::printf("\n");
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::size_t n_holes = argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 5;
+  const double seconds = argc > 2 ? std::strtod(argv[2], nullptr) : 10;
+  const std::vector<Row> rows = {
+      {"sphere", {.name = "sphere", .n_points = 4000}},
+      {"torus", {.name = "torus", .n_points = 4000}},
+      {"knot", {.name = "knot", .n_points = 4000, .noise = 0.05}},
+      {"sharp cube", {.name = "cube", .n_points = 4000}},
+      {"noisy sphere", {.name = "sphere", .n_points = 4000, .noise = 0.3}},
+      {"two sheets", {.name = "two-sheets", .n_points = 4000}},
+  };
+  std::printf(
+      "| surface | vertices | free triangles | ours, any | ours, least | depth "
+      "first | CaDiCaL, any | CBC, any |\n|---|---|---|---|---|---|---|---|\n");
+  for (const Row& row : rows) print_rows(row, n_holes, seconds);
+}

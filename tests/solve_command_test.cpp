@@ -1,0 +1,103 @@
+// umbrella solve as a user meets it.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <string>
+
+#include "command_path.h"
+#include "tests/support/temporary_folder.h"
+
+namespace {
+
+using ::testing::HasSubstr;
+
+class SolveCommand : public ::testing::Test {
+ protected:
+  struct Finished {
+    int status;
+    std::string out;
+    std::string err;
+  };
+
+  Finished run(const std::string& arguments) {
+    const std::string line = "cd '" + folder_.path("") + "' && '" +
+                             kCommandPath + "' solve " + arguments +
+                             " >out 2>err </dev/null";
+    const int status = std::system(line.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1,
+            folder_.content("out"), folder_.content("err")};
+  }
+
+  support::TemporaryFolder folder_;
+};
+
+constexpr const char* kKnapsack =
+    "min: -10 x1 -13 x2 -7 x3 ;\n3 x1 +4 x2 +2 x3 <= 6 ;\n";
+constexpr const char* kContradiction = "x1 +x2 >= 1;\nx1 +x2 <= 0;\n";
+
+TEST_F(SolveCommand, PrintsTheOptimumAndProvesIt) {
+  folder_.file("p.opb", kKnapsack);
+  const Finished found = run("p.opb --proof p.log");
+  EXPECT_EQ(found.status, 0) << found.err;
+  EXPECT_THAT(found.out, HasSubstr("\no -20\n"));
+  EXPECT_THAT(found.out, HasSubstr("\ns OPTIMUM FOUND\nv -x1 x2 x3\n"));
+  const Finished checked = run("p.opb --check-proof p.log");
+  EXPECT_EQ(checked.status, 0);
+  EXPECT_THAT(checked.out, HasSubstr("\no -20\ns VERIFIED OPTIMUM\n"));
+}
+
+TEST_F(SolveCommand, ProvesThatThereIsNoModel) {
+  folder_.file("p.opb", kContradiction);
+  const Finished found = run("p.opb --proof p.log");
+  EXPECT_EQ(found.status, 0) << found.err;
+  EXPECT_THAT(found.out, HasSubstr("\ns UNSATISFIABLE\n"));
+  EXPECT_THAT(run("p.opb --check-proof p.log").out,
+              HasSubstr("\ns VERIFIED UNSATISFIABLE\n"));
+
+  folder_.file("other.opb", kKnapsack);
+  const Finished wrong = run("other.opb --check-proof p.log");
+  EXPECT_EQ(wrong.status, 3);
+  EXPECT_THAT(wrong.out, HasSubstr("\ns NOT VERIFIED\n"));
+  folder_.file("empty.log", "");
+  EXPECT_EQ(run("other.opb --check-proof empty.log").status, 3);
+}
+
+TEST_F(SolveCommand, SaysThatALimitCameFirst) {
+  folder_.file("p.opb",
+               "min: -10 x1 -13 x2 -7 x3 -8 x4 -12 x5 -4 x6 ;\n"
+               "3 x1 +4 x2 +2 x3 +3 x4 +4 x5 +1 x6 <= 9 ;\n"
+               "x1 +x2 +x5 <= 2 ;\nx3 +~x6 >= 1 ;\n");
+  const Finished some = run("p.opb --conflicts 0");
+  EXPECT_EQ(some.status, 3);
+  EXPECT_THAT(some.out, HasSubstr("\ns SATISFIABLE\nv "));
+  EXPECT_EQ(run("p.opb --time-limit 0").status, 3);
+  EXPECT_THAT(folder_.content("out"), HasSubstr("\ns UNKNOWN\n"));
+}
+
+TEST_F(SolveCommand, WritesTheProgramInOtherFormats) {
+  folder_.file("p.opb", kKnapsack);
+  EXPECT_EQ(
+      run("p.opb --write-opb q.opb --write-lp q.lp --write-mps q.mps").status,
+      0);
+  EXPECT_THAT(folder_.content("q.lp"), HasSubstr("Subject To"));
+  EXPECT_THAT(folder_.content("q.mps"), HasSubstr("ENDATA"));
+  EXPECT_THAT(run("q.opb").out, HasSubstr("\no -20\n"));
+}
+
+TEST_F(SolveCommand, RefusesBadInputInOneLine) {
+  folder_.file("p.opb", "1 x1 >= ;\n");
+  const Finished wrong = run("p.opb");
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_EQ(wrong.err,
+            "umbrella: error: p.opb:1:9: expected a number, not what stands "
+            "here\n");
+  EXPECT_EQ(run("missing.opb").status, 2);
+  folder_.file("q.opb", kKnapsack);
+  EXPECT_EQ(run("q.opb --proof missing/p.log").status, 2);
+  EXPECT_EQ(run("q.opb --proof a --check-proof b").status, 2);
+}
+
+}  // namespace
