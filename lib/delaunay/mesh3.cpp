@@ -32,8 +32,9 @@ Mesh3::Mesh3(std::span<const Point3> points, unsigned n_inserters)
   for (std::size_t i = 0; i < points.size(); ++i)
     sites[i].at = {points[i][0], points[i][1], points[i][2]};
   // Uniform points make 6.8 cells each, scanned surfaces 6 to 9. Memory that
-  // is never touched costs nothing.
-  make_room(points.size() * 7 + n_inserters * FreshCells::kBlock);
+  // is never touched costs nothing, and moving all cells doubles the peak.
+  make_room(std::min(points.size() * 10 + n_inserters * FreshCells::kBlock,
+                     max_cells));
 }
 
 void Mesh3::make_room(std::size_t n) {
