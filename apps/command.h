@@ -18,6 +18,7 @@ enum class ExitCode {
 /// Each adds its subcommand to `app`; running it sets `exit_code`. Bad input is
 /// io::ParseError, io::WriteError or std::invalid_argument, its text one line.
 void add_reconstruct(CLI::App& app, ExitCode& exit_code);
+void add_repair(CLI::App& app, ExitCode& exit_code);
 void add_check(CLI::App& app, ExitCode& exit_code);
 void add_generate(CLI::App& app, ExitCode& exit_code);
 void add_solve(CLI::App& app, ExitCode& exit_code);

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "apps/terminal.h"
 #include "io/mesh.h"
 #include "io/points.h"
+#include "umbrella/curve.h"
 #include "umbrella/reconstruct.h"
 
 namespace command {
@@ -18,9 +20,14 @@ namespace command {
 struct Request {
   std::vector<std::string> files;  ///< for messages and the report
   umbrella::Stage stage = umbrella::Stage::Closed;
+  std::string method = "umbrella";
   std::string criterion = "paper";
+  std::string umbrella = "first";
   umbrella::CloseMode close = umbrella::CloseMode::Best;
-  std::optional<double> time_limit;  ///< seconds
+  std::optional<umbrella::CurveMode> curve;  ///< in the plane; none: Auto
+  std::optional<double> time_limit;          ///< seconds
+  unsigned threads = 1;
+  bool repairs = false;  ///< the file is a mesh
 };
 
 struct Outcome {
@@ -34,9 +41,12 @@ struct Outcome {
   bool sound = false;   ///< closed and manifold, and no limit was hit
 };
 
+/// @param faces  of a mesh to be repaired, else none
 /// @throws std::invalid_argument  too few points, or all in one plane
-Outcome reconstruct_surface(const io::PointSet& points, const Request& request,
-                            terminal::Progress& progress);
+Outcome reconstruct_surface(
+    const io::PointSet& points, const Request& request,
+    terminal::Progress& progress,
+    std::span<const umbrella::IndexedTriangle> faces = {});
 
 /// @throws std::invalid_argument  too few points, all on one line, or an option
 ///   that the plane does not have

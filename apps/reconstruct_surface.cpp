@@ -1,6 +1,9 @@
+#include <algorithm>
 #include <stdexcept>
 
+#include "apps/interrupt.h"
 #include "apps/outcome.h"
+#include "umbrella/methods.h"
 
 namespace command {
 namespace {
@@ -8,13 +11,28 @@ namespace {
 using report::Json;
 using umbrella::Stage;
 
+void require_filter_options(const Request& request) {
+  if (umbrella::parse_method(request.method).is_umbrella()) return;
+  if (request.criterion != "paper" || request.umbrella != "first")
+    throw std::invalid_argument(
+        "--criterion and --umbrella are for --method umbrella");
+}
+
 umbrella::Reconstruction run(const io::PointSet& points, const Request& request,
-                             terminal::Progress& progress) {
+                             terminal::Progress& progress,
+                             std::span<const umbrella::IndexedTriangle> faces) {
+  require_filter_options(request);
   umbrella::ReconstructOptions options;
   options.stage = request.stage;
+  options.method = request.method;
   options.criterion = request.criterion;
+  options.umbrella = umbrella::umbrella_choice(request.umbrella);
   options.closing.mode = request.close;
+  if (request.repairs) options.faces = faces;
   if (request.time_limit) options.closing.seconds = *request.time_limit;
+  options.threads = request.threads;
+  const terminal::Interrupt interrupt;
+  options.closing.stop = &terminal::Interrupt::flag();
   options.progress = [&](std::string_view stage) { progress.show(stage); };
   return umbrella::reconstruct(points.points, options);
 }
@@ -29,6 +47,18 @@ void require_space(const Request& request,
                     : "all points lie in one plane"));
 }
 
+// Each point left out, and why.
+Json dropped_report(const umbrella::Reconstruction& result) {
+  Json list = Json::array();
+  for (std::size_t i = 0; i < result.dropped_rows.size(); ++i) {
+    const bool is_proven =
+        result.drop_reasons[i] == umbrella::DropReason::NoSolution;
+    list.push_back({{"row", result.dropped_rows[i]},
+                    {"reason", is_proven ? "no solution" : "limit"}});
+  }
+  return list;
+}
+
 Json stages_report(const Request& request,
                    const umbrella::Reconstruction& result) {
   const umbrella::ReconstructCounts& n = result.counts;
@@ -37,7 +67,10 @@ Json stages_report(const Request& request,
   json["delaunay"] = {{"cells", n.delaunay_cells},
                       {"triangles", n.delaunay_triangles},
                       {"gabriel_triangles", n.admissible_triangles}};
-  json["filter"] = {{"triangles", n.filter_triangles},
+  json["filter"] = {{"method", request.method},
+                    {"criterion", request.criterion},
+                    {"umbrella", request.umbrella},
+                    {"triangles", n.filter_triangles},
                     {"vertices_without_umbrella", n.filter_without_umbrella}};
   if (request.stage == Stage::Filter) return json;
   json["clean_up"] = {{"deleted_type2", n.deleted_type2},
@@ -55,9 +88,12 @@ Json stages_report(const Request& request,
                      {"feasible", c.feasible},
                      {"infeasible", c.infeasible},
                      {"undecided", c.undecided},
+                     {"labelled", c.labelled},
                      {"grown", c.grown},
                      {"dropped_points", result.dropped_rows},
-                     {"conflicts", c.conflicts}};
+                     {"dropped", dropped_report(result)},
+                     {"conflicts", c.conflicts},
+                     {"interrupted", terminal::Interrupt::flag().load()}};
   return json;
 }
 
@@ -69,6 +105,14 @@ Json full_report(const Request& request,
                    {"points", n.points},
                    {"duplicates", n.duplicates},
                    {"dimension", 3}};
+  if (request.repairs) {
+    const umbrella::FaceCounts& f = result.faces;
+    json["repair"] = {{"faces", f.faces},
+                      {"degenerate", f.degenerate},
+                      {"duplicates", f.duplicates},
+                      {"not_delaunay", f.not_delaunay},
+                      {"kept", f.kept}};
+  }
   json.update(stages_report(request, result));
   json["surface"] = report::surface(result.surface, result.surface.vertices,
                                     result.surface.unused_vertices);
@@ -90,8 +134,11 @@ std::string state_of(const umbrella::SurfaceReport& surface) {
 }  // namespace
 
 Outcome reconstruct_surface(const io::PointSet& points, const Request& request,
-                            terminal::Progress& progress) {
-  umbrella::Reconstruction result = run(points, request, progress);
+                            terminal::Progress& progress,
+                            std::span<const umbrella::IndexedTriangle> faces) {
+  if (request.curve)
+    throw std::invalid_argument("--curve is for points in the plane");
+  umbrella::Reconstruction result = run(points, request, progress, faces);
   require_space(request, result);
   Outcome outcome;
   const auto vertex = take_used_rows(points, result.triangles, outcome.mesh);
@@ -105,8 +152,11 @@ Outcome reconstruct_surface(const io::PointSet& points, const Request& request,
   if (n_unused > 0)
     outcome.summary += ", " + std::to_string(n_unused) + " points unused";
   outcome.state = state_of(result.surface);
-  outcome.sound = result.surface.closed && result.surface.manifold &&
-                  result.closing.undecided == 0;
+  outcome.sound =
+      result.surface.closed && result.surface.manifold &&
+      !terminal::Interrupt::flag() &&
+      std::count(result.drop_reasons.begin(), result.drop_reasons.end(),
+                 umbrella::DropReason::Limit) == 0;
   outcome.lambda = std::move(result.lambda);
   return outcome;
 }

@@ -53,6 +53,11 @@ Site cube(double u, double v);
 Site plate(double u, double v);
 Site two_sheets(double u, double v);
 
+/// 1 on the surface `three_holes`, more outside; nearly linear across it.
+double three_holes_level(const Eigen::Vector3d& p);
+/// Of the surface `bumpy` in that direction, a unit vector.
+double bumpy_radius(const Eigen::Vector3d& direction);
+
 /// n sites of a surface, no two of them nearer than about 0.6 of the distance
 /// of the best packing; `spacing` is that least distance, absolute.
 std::vector<Site> scatter(Surface surface, std::size_t n, Random& random);

@@ -73,8 +73,10 @@ int nearest_ring(const Vector3d& p) {
   return static_cast<int>(std::min_element(d2.begin(), d2.end()) - d2.begin());
 }
 
-// 1 on the surface; for one ring alone distance / r, so nearly linear on a ray.
-double blended_level(const Vector3d& p) {
+}  // namespace
+
+// For one ring alone this is distance / r.
+double three_holes_level(const Vector3d& p) {
   double sum = 0;
   for (int ring = 0; ring < 3; ++ring) {
     const double ratio =
@@ -83,8 +85,6 @@ double blended_level(const Vector3d& p) {
   }
   return 1 / std::sqrt(std::sqrt(sum));
 }
-
-}  // namespace
 
 // Taylor series on an eighth of a turn either way: the first term left out is
 // below 2e-18.
@@ -118,11 +118,15 @@ Site ellipsoid(double u, double v) {
   return {direction(u, v).cwiseProduct(Vector3d(1, 0.6, 0.3)), 1};
 }
 
-Site bumpy(double u, double v) {
-  const Vector3d d = direction(u, v);
+double bumpy_radius(const Vector3d& d) {
   const double height =
       wave(1.5 * d.x()) + wave(1.5 * d.y()) + wave(1.5 * d.z());
-  return {(1 + 0.06 * height) * d, 1};
+  return 1 + 0.06 * height;
+}
+
+Site bumpy(double u, double v) {
+  const Vector3d d = direction(u, v);
+  return {bumpy_radius(d) * d, 1};
 }
 
 Site two_spheres(double u, double v) {
@@ -165,9 +169,9 @@ Site three_holes(double u, double v) {
   const Ray ray = ray_from_ring(ring, 3 * u - ring, v);
   double t0 = kRingTube;
   double t1 = 1.3 * kRingTube;
-  double f0 = blended_level(ray.at(t0)) - 1;
+  double f0 = three_holes_level(ray.at(t0)) - 1;
   for (int step = 0; step < 8; ++step) {  // secants, to the last bits
-    const double f1 = blended_level(ray.at(t1)) - 1;
+    const double f1 = three_holes_level(ray.at(t1)) - 1;
     if (f1 == f0) break;
     const double t2 = t1 - f1 * (t1 - t0) / (f1 - f0);
     t0 = t1;
@@ -176,7 +180,7 @@ Site three_holes(double u, double v) {
   }
   const Vector3d p = ray.at(t1);
   const bool converged =
-      t1 > 0 && t1 < 1 && std::abs(blended_level(p) - 1) < 1e-12;
+      t1 > 0 && t1 < 1 && std::abs(three_holes_level(p) - 1) < 1e-12;
   if (!converged || nearest_ring(p) != ring) return {Vector3d::Zero(), 0};
   return {p, 0.75 + 0.25 * wave(0.2 * p.x() + 0.3 * p.y())};
 }

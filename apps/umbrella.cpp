@@ -42,6 +42,7 @@ ExitCode run(int argc, char** argv) {
   app.require_subcommand(1);
   ExitCode exit_code = ExitCode::Done;
   command::add_reconstruct(app, exit_code);
+  command::add_repair(app, exit_code);
   command::add_check(app, exit_code);
   command::add_generate(app, exit_code);
   command::add_solve(app, exit_code);

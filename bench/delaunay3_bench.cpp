@@ -34,9 +34,24 @@ void time_points(benchmark::State& state, Run run) {
   state.SetLabel(kShapes[state.range(0)]);
 }
 
+/// For each point, in builds with -DDELAUNAY_COUNTERS=ON.
+void show(const delaunay::Counters& counters, benchmark::State& state) {
+  if (!delaunay::kCounting) return;
+  const auto n = static_cast<double>(state.range(1));
+  const auto each = [n](std::uint64_t total) {
+    return static_cast<double>(total) / n;
+  };
+  state.counters["tests"] = each(counters.sphere_tests);
+  state.counters["exact"] = each(counters.exact_tests);
+  state.counters["steps"] = each(counters.walk_steps);
+  state.counters["cells"] = each(counters.cells_made);
+}
+
 void BM_Triangulation3(benchmark::State& state) {
-  time_points(state, [](const std::vector<Point3>& points) {
-    return delaunay::Triangulation3(points).n_finite_cells();
+  time_points(state, [&state](const std::vector<Point3>& points) {
+    const delaunay::Triangulation3 t(points);
+    show(t.counters(), state);
+    return t.n_finite_cells();
   });
 }
 

@@ -56,7 +56,7 @@ TEST_F(Command, PrintsHelpAndVersion) {
   EXPECT_THAT(run("--help").out, HasSubstr("Examples:"));
   EXPECT_EQ(run("--help").status, 0);
   EXPECT_THAT(run("--version").out, StartsWith("umbrella "));
-  for (const std::string sub : {"reconstruct", "check", "generate"}) {
+  for (const std::string sub : {"reconstruct", "repair", "check", "generate"}) {
     const Finished help = run(sub + " --help");
     EXPECT_EQ(help.status, 0);
     EXPECT_THAT(help.out, HasSubstr("Examples:"));
@@ -92,6 +92,26 @@ TEST_F(Command, RefusesBadUsageInOneLine) {
   expect_error("generate knot -n 1e3", "--count");
   expect_error("generate knot -n 3 --noise -1", "noise");
   expect_error("check", "mesh is required");
+}
+
+TEST_F(Command, TakesOtherCriteriaAndMethods) {
+  ASSERT_EQ(run("generate torus -n 600 -o t.ply").status, 0);
+  for (const std::string options :
+       {"--method cocone", "--method ballmerge=1.7", "--method lambda=0.4:0.9",
+        "--criterion ballmerge", "--umbrella flattest --criterion mixed"}) {
+    SCOPED_TRACE(options);
+    const Finished result = run("reconstruct t.ply " + options);
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_THAT(result.out, HasSubstr("1200 triangles, genus 1, closed"));
+  }
+  folder_.file("p.xy", "0 0\n1 0\n0 1\n1 1\n");
+  expect_error("reconstruct t.ply --method crusty", "no method 'crusty'");
+  expect_error("reconstruct t.ply --method beta=0.5", "beta=beta");
+  expect_error("reconstruct t.ply --umbrella last", "last");
+  expect_error("reconstruct t.ply --method crust --criterion area",
+               "are for --method umbrella");
+  expect_error("reconstruct p.xy --method crust", "is for points in space");
+  expect_error("reconstruct p.xy --umbrella flattest", "is for points in");
 }
 
 TEST_F(Command, RefusesBadInputInOneLine) {
@@ -162,6 +182,24 @@ TEST_F(Command, ReconstructsCurves) {
   EXPECT_EQ(run("check curve.ply --points circles.xyz").status, 0);
 }
 
+TEST_F(Command, TakesModesOfCurves) {
+  ASSERT_EQ(run("generate star -n 100 -o star.xyz").status, 0);
+  for (const char* mode :
+       {"auto", "paper", "closed", "open", "tsp", "mutual"}) {
+    SCOPED_TRACE(mode);
+    const Finished made = run("reconstruct star.xyz --report r.json --curve " +
+                              std::string(mode));
+    EXPECT_EQ(made.status, 0) << made.err;
+    const Json report = Json::parse(folder_.content("r.json"));
+    EXPECT_EQ(report["surface"]["edges"], 100);
+    EXPECT_EQ(report["surface"]["points_used"], 100);
+  }
+  expect_error("reconstruct star.xyz --curve best", "--curve");
+  expect_error("reconstruct star.xyz --curve tsp --stage filter", "--stage");
+  folder_.file("p.xyz", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n");
+  expect_error("reconstruct p.xyz --curve auto", "plane");
+}
+
 TEST_F(Command, WritesNoMeshIfTheReportCannotBeWritten) {
   folder_.file("p.xyz", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n");
   expect_error("reconstruct p.xyz -o mesh.ply --report no/report.json",
@@ -195,7 +233,7 @@ TEST_F(Command, NoticesAFullStandardOutput) {
 // Some programs of this set are given up at a limit, and solved once grown.
 TEST_F(Command, CallsAClosedCurveASuccess) {
   run("generate star -n 300 --seed 2 --noise 1 -o star.xyz");
-  const Finished made = run("reconstruct star.xyz");
+  const Finished made = run("reconstruct star.xyz --curve closed");
   EXPECT_THAT(made.out, HasSubstr("300 edges"));
   EXPECT_THAT(made.out, HasSubstr("closed, manifold"));
   EXPECT_EQ(made.status, 0);
@@ -216,6 +254,28 @@ TEST_F(Command, CheckFindsWhatIsWrong) {
   const Finished more = run("check closed.off --points more.xyz --json");
   EXPECT_EQ(more.status, 3);
   EXPECT_EQ(Json::parse(more.out)["surface"]["unused_points"], Json({4}));
+}
+
+TEST_F(Command, RepairsATornMesh) {
+  folder_.file("torn.off",
+               "OFF\n6 5 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 0 1\n9 9 9\n"
+               "3 0 1 2\n3 0 1 3\n3 1 0 4\n3 3 4 0\n3 1 2 3\n");
+  const Finished made = run("repair torn.off -o closed.off --report r.json");
+  EXPECT_EQ(made.status, 0) << made.err;
+  EXPECT_EQ(run("check closed.off --points torn.off").status, 0);
+  const Json report = Json::parse(folder_.content("r.json"));
+  const Json expected = {{"faces", 5},
+                         {"degenerate", 1},
+                         {"duplicates", 1},
+                         {"not_delaunay", 0},
+                         {"kept", 3}};
+  EXPECT_EQ(report["repair"], expected);
+  EXPECT_EQ(report["input"]["duplicates"], 1);
+  expect_error("repair", "mesh is required");
+  expect_error("repair no.off", "no.off");
+  expect_error("repair torn.off -o torn.off", "would overwrite the input");
+  folder_.file("flat.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  expect_error("repair flat.off", "3 distinct points of 4 needed");
 }
 
 TEST_F(Command, StopsAfterTheStageAskedFor) {

@@ -84,7 +84,7 @@ TEST(Curve, FilterIsExactOnDenseSamplesOfRegularCurves) {
     SCOPED_TRACE(testing::Message() << "trial " << trial);
     const auto n = static_cast<std::uint32_t>(150 + rng() % 200);
     const std::vector<Point2> points = fourier_curve(n, rng);
-    const auto filtered = reconstruct_curve(points, {.close = false});
+    const auto filtered = reconstruct_curve(points, {.mode = CurveMode::Paper});
     EXPECT_THAT(unoriented(filtered.edges), ElementsAreArray(along(n)));
     const auto closed = reconstruct_curve(points);
     EXPECT_EQ(closed.edges, filtered.edges);
@@ -99,7 +99,7 @@ TEST(Curve, ClosingMendsMostCornersThatTheFilterMisses) {
     const unsigned m = 3 + trial % 6, k = 12 + trial % 17;
     SCOPED_TRACE(testing::Message() << m << " spikes, " << k << " a side");
     const std::vector<Point2> points = star(m, k, rng);
-    const auto filtered = reconstruct_curve(points, {.close = false});
+    const auto filtered = reconstruct_curve(points, {.mode = CurveMode::Paper});
     const auto closed = reconstruct_curve(points);
     EXPECT_THAT(closed.open_rows, IsEmpty());
     EXPECT_EQ(closed.edges.size(), points.size());

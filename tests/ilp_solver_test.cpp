@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <random>
 #include <stdexcept>
@@ -281,6 +282,8 @@ TEST(Solver, StopsAtItsLimitsAndGoesOn) {
   EXPECT_EQ(solver.solve({}, {.propagations = 100}), Status::Limit);
   EXPECT_LT(solver.statistics().propagations, before + 300);
   EXPECT_EQ(solver.solve({}, {.seconds = 0}), Status::Limit);
+  const std::atomic<bool> stop = true;
+  EXPECT_EQ(solver.solve({}, {.stop = &stop}), Status::Limit);
   EXPECT_EQ(solver.solve(), Status::Infeasible);
   EXPECT_EQ(solver.core().constraints.size(), problem.n_clauses());
   EXPECT_EQ(checked.first_flaw(), "");

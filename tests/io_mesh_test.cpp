@@ -182,6 +182,17 @@ TEST_F(MeshFile, HoldsCurvesOfThePlane) {
   EXPECT_EQ(folder_.content("a.txt"), "0 0 1 0\n1 0 0.3 1\n0.3 1 0 0\n");
 }
 
+TEST_F(MeshFile, DrawsCurves) {
+  const io::Mesh curve = {
+      2, {{0, 0, 0}, {2, 0, 0}, {1, 1, 0}}, {}, {{0, 1}, {1, 2}, {2, 0}}};
+  io::write_mesh(folder_.path("a.svg"), curve);
+  const std::string svg = folder_.content("a.svg");
+  EXPECT_THAT(svg, HasSubstr("viewBox=\"-20 -20 1040 540\""));
+  EXPECT_THAT(svg, HasSubstr("M0 500L1000 500L500 0Z"));
+  io::Mesh surface = {3, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}, {}};
+  EXPECT_THROW(io::write_mesh(folder_.path("b.svg"), surface), io::WriteError);
+}
+
 TEST_F(MeshFile, RefusesUnknownExtensionsBeforeWriting) {
   for (const std::string_view name : {"a.xyz", "a", "a.txt"}) {
     SCOPED_TRACE(name);

@@ -4,11 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <random>
 
+#include "predicates/lattice.h"
 #include "tests/support/exact_oracle.h"
 #include "tests/support/predicate_inputs.h"
 
@@ -273,6 +275,57 @@ TEST(Perturbed, ChangesSignWhenTheQueryAndACornerAreExchanged) {
     if (side < 0) std::swap(t[0], t[1]);
     EXPECT_EQ(insphere_perturbed(t), -side * insphere_perturbed(s));
   });
+}
+
+// Points on a lattice of some unit, up to `bits` bits of units apart.
+Simplex lattice_points(Rng& rng, int bits, double unit) {
+  const Point shift = {1000.0 * inputs::below(rng, 9), -77, 3};
+  Simplex s = inputs::each_coordinate(
+      [&] { return std::ldexp(inputs::uniform(rng), bits); });
+  for (Point& p : s)
+    for (std::size_t i = 0; i < 3; ++i)
+      p[i] = (std::floor(p[i]) + shift[i]) * unit;
+  return s;
+}
+
+// Reaches below and above those within which doubles are exact, and so few
+// different coordinates at first that most determinants vanish.
+TEST(Lattice, AgreesWithThePredicatesOfAnyPoints) {
+  Rng rng(20);
+  for (const int exponent : {-150, -40, 0, 150}) {
+    const double unit = std::ldexp(1, exponent);
+    const predicates::Lattice lattice(unit);
+    for (int trial = 0; trial < 20000; ++trial) {
+      SCOPED_TRACE(testing::Message()
+                   << "unit 2^" << exponent << ", trial " << trial);
+      const Simplex s = lattice_points(rng, trial % 21, unit);
+      ASSERT_EQ(
+          lattice.orient3d(s[0].data(), s[1].data(), s[2].data(), s[3].data()),
+          orient3d(s));
+      if (orient3d(s) <= 0 || std::count(s.begin(), s.end(), s[4]) > 1)
+        continue;
+      ASSERT_EQ(
+          lattice.insphere_perturbed(s[0].data(), s[1].data(), s[2].data(),
+                                     s[3].data(), s[4].data()),
+          insphere_perturbed(s));
+    }
+  }
+}
+
+TEST(Lattice, AgreesOnCosphericalPoints) {
+  Rng rng(21);
+  const predicates::Lattice none;
+  const predicates::Lattice lattice(0x1p-13);
+  for (int trial = 0; trial < 50000; ++trial) {
+    SCOPED_TRACE(testing::Message() << "trial " << trial);
+    const Simplex s = inputs::cospherical_integers(rng);
+    if (orient3d(s) <= 0 || std::count(s.begin(), s.end(), s[4]) > 1) continue;
+    const int expected = insphere_perturbed(s);
+    for (const auto& l : {none, lattice})
+      ASSERT_EQ(l.insphere_perturbed(s[0].data(), s[1].data(), s[2].data(),
+                                     s[3].data(), s[4].data()),
+                expected);
+  }
 }
 
 }  // namespace

@@ -14,6 +14,8 @@ namespace delaunay {
 namespace {
 
 using testing::ElementsAreArray;
+using tests::Family;
+using tests::make_points;
 
 // Cells of a 2^k grid follow each other face to face along the curve.
 template <int kDim>
@@ -81,6 +83,19 @@ TEST(SpatialOrder, KeepsClustersTogether) {
   // A curve through m uniform points is about m^(2/3) long; a random order or
   // one by x alone would be about m/2.
   EXPECT_LT(length, 4 * std::pow(4000, 2.0 / 3));
+}
+
+TEST(SpatialOrder, IsTheSameOnAnyNumberOfThreads) {
+  for (const Family family : {Family::Uniform, Family::Clustered}) {
+    SCOPED_TRACE(tests::name(family));
+    const auto rows = make_points<3>(family, 300000, 5);
+    const SpatialOrder<3> expected = spatial_order(rows);
+    for (const unsigned threads : {2U, 5U}) {
+      const SpatialOrder<3> order = spatial_order(rows, threads);
+      EXPECT_TRUE(order.points == expected.points);
+      EXPECT_TRUE(order.vertex_of_row == expected.vertex_of_row);
+    }
+  }
 }
 
 TEST(InsertionOrder, VisitsEachVertexOnceInAscendingRounds) {

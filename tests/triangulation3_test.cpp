@@ -7,10 +7,13 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <span>
 #include <stdexcept>
 #include <vector>
 
 #include "apps/shapes.h"
+#include "delaunay/parallel_insertion_internal.h"
+#include "delaunay/spatial_sort.h"
 #include "delaunay/validate.h"
 #include "tests/support/brute_delaunay.h"
 #include "tests/support/paper_sets.h"
@@ -162,6 +165,48 @@ TEST(Triangulation3, CachesSpheresThatTellTheTruth) {
           static_cast<std::uint32_t>(rng() % t.points().size())};
       EXPECT_GE((scaled(other) - center).squaredNorm(), cell.inside2);
     }
+  }
+}
+
+TEST(Triangulation3, RefusesMorePointsThanItsNumbersHold) {
+  const Point3 p(0, 0, 0);
+  // Refused before any point is read.
+  const std::span<const Point3> many(&p, Triangulation3::max_points() + 1);
+  EXPECT_THROW(const Triangulation3 t(many), std::invalid_argument);
+}
+
+// Points on two skew lines: each pair of neighbours on one line makes a cell
+// with each pair on the other.
+TEST(Mesh3, RefusesMoreCellsThanItsNumbersHold) {
+  constexpr std::uint32_t kLine = 60;
+  Input points;
+  for (std::uint32_t i = 0; i < kLine; ++i) points.emplace_back(i, 0, 0);
+  for (std::uint32_t i = 0; i < kLine; ++i)
+    points.emplace_back(30, i - 30., 40);
+  const std::array first = {VertexId{0}, VertexId{1}, VertexId{kLine},
+                            VertexId{kLine + 1}};
+  const auto n_finite_cells = [&](std::size_t limit) {
+    Mesh3 mesh(points);
+    mesh.max_cells = limit;
+    return insert_all(mesh, first, insertion_order(points.size()), {});
+  };
+  EXPECT_EQ(n_finite_cells(std::size_t{1} << 30U), (kLine - 1) * (kLine - 1));
+  EXPECT_EQ(n_finite_cells(5000), (kLine - 1) * (kLine - 1));
+  EXPECT_THROW(n_finite_cells(3000), std::length_error);
+}
+
+TEST(Triangulation3, CountsOnlyInBuildsThatAskForIt) {
+  const Triangulation3 t(make_points<3>(Family::Grid, 500, 13));
+  const Counters& counters = t.counters();
+  if (kCounting) {
+    EXPECT_GE(counters.cells_made, t.cells().size() - 5);
+    EXPECT_GT(counters.sphere_tests, counters.exact_tests);
+    EXPECT_GT(counters.exact_tests, 0);
+    EXPECT_GT(counters.walk_steps, 0);
+  } else {
+    EXPECT_EQ(counters.cells_made + counters.sphere_tests +
+                  counters.exact_tests + counters.walk_steps,
+              0);
   }
 }
 

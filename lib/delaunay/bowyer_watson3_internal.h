@@ -1,6 +1,6 @@
 /// @file
-/// Incremental construction of a 3D Delaunay triangulation; for
-/// triangulation3.cpp alone.
+/// Incremental construction of a 3D Delaunay triangulation, by one thread or
+/// by several that share the work.
 #pragma once
 
 #include <array>
@@ -8,93 +8,118 @@
 #include <span>
 #include <vector>
 
+#include "delaunay/mesh3_internal.h"
+#include "delaunay/star_spheres_internal.h"
 #include "delaunay/triangulation3.h"
 
 namespace delaunay {
 
-/// The triangulation of the vertices inserted so far, always complete.
-class BowyerWatson3 {
+/// Inserts vertices into a mesh. Several may work on one mesh at a time, each
+/// within a part of its own; all use the numbers 0 .. n_inserters - 1.
+class alignas(128) BowyerWatson3 {  // shares no cache line with another
  public:
-  /// @param points  distinct; quickest if their coordinates fill [-1, 1], for
-  ///   spheres far larger or smaller are not cached
-  /// @param first   four vertices that span space, in any order
-  BowyerWatson3(std::span<const Point3> points,
-                const std::array<VertexId, 4>& first);
+  /// @param number  of this inserter, among `n_inserters` on the mesh
+  explicit BowyerWatson3(Mesh3& mesh, unsigned number = 0,
+                         unsigned n_inserters = 1);
 
+  /// Begins a mesh without cells.
+  /// @param first  four vertices that span space, in any order
+  void start(const std::array<VertexId, 4>& first);
+
+  /// Inserts while no other inserter is at work.
   /// @pre `v` was not inserted before
   /// @throws std::length_error  the cells' numbers would not fit 30 bits
   void insert(VertexId v);
+  /// To be called before insert() if others were at work.
+  /// @param near  any cell, the nearer to the next vertex the better
+  void resume(CellId near);
 
-  /// Cells without gaps, those inside the hull first.
-  /// @return how many lie inside the hull
-  std::size_t finish(std::vector<Cell>& cells) &&;
+  /// Binds further insertions to a part; no inserter may be at work.
+  /// @return whether it may begin near `v`; if not, do not insert
+  bool enter(const Part& part, VertexId v, CellId near);
+  /// Inserts while others may be at work in disjoint parts: true, or nothing
+  /// has changed, since a cell outside the part would have had to, or room
+  /// runs out.
+  /// @pre enter() returned true
+  bool insert_within_part(VertexId v);
+  bool lacks_room() const { return lacks_room_; }
+
+  /// A cell near the vertex inserted or sought last.
+  CellId hint() const { return hint_; }
+  const Counters& counters() const { return counters_; }
+
+  /// Beyond the last cell ever used.
+  std::size_t end() const { return fresh_.end(); }
+  /// Marks its own places below `end` that were never used as empty.
+  void remove_unused(std::size_t end);
 
  private:
-  /// A facet between the cavity and the cell outside it: its corners as
-  /// positions in `rim_`, counter-clockwise seen from inside the cavity; the
-  /// infinite vertex, if any, is corner 2.
-  struct RimFacet {
-    std::array<std::uint32_t, 3> corner;
-    bool is_infinite;
-  };
-  /// A vertex of the cavity, relative to the point that is inserted.
-  struct RimVertex {
-    VertexId id;
-    std::array<double, 3> offset;
-    double norm2;
-  };
-  /// A vertex, with its place in `rim_` during one insertion, in half a cache
-  /// line.
-  struct alignas(32) Site {
-    std::array<double, 3> at;
-    std::uint32_t insertion = 0;
-    std::uint32_t rim_position = 0;
-  };
+  using Site = Mesh3::Site;
 
-  template <bool kExact>
-  CellId walk(CellId start, const double* p) const;
-  CellId locate(const double* p) const;
+  template <bool kExact, class Region>
+  CellId walk(CellId start, const double* p, const Region& region) const;
+  CellId locate(CellId start, const double* p) const;
+  CellId finite(CellId c) const;
   template <bool kExact>
   bool is_beyond(const Cell& cell, unsigned facet, const double* p) const;
 
   bool in_conflict(const Cell& cell, const double* p) const;
   bool in_conflict_exact(const Cell& cell, const double* p) const;
-  void find_cavity(CellId seed, const double* p);
+  template <class Region>
+  bool find_cavity(CellId seed, const double* p, const Region& region);
+  void prefetch_around(Facet entry);
+  void lengthen_lists(std::size_t n);
+  void forget_cavity();
+  std::span<const Facet> cavity() const { return {cavity_.data(), n_cavity_}; }
+  std::span<const Facet> boundary() const {
+    return {boundary_.data(), n_boundary_};
+  }
 
+  std::size_t n_fresh_cells() const;
   void fill_cavity(VertexId apex);
   void allocate_star();
-  void make_star_cell(std::size_t k, VertexId apex);
-  std::uint32_t rim_position(VertexId v, const double* p);
-  RimVertex relative(VertexId v, const double* p) const;
-  void link_star();
+  void make_star_cells(VertexId apex);
+  Spoke relative(VertexId v, const double* p) const;
+  using Slots = std::array<std::uint8_t, 4>;
+  Slots slots(std::size_t k) const;
+  template <class SlotsOf>
+  void link_star(const SlotsOf& slots_of);
   void link_large_star();
   void link(Facet a, Facet b);
-  Facet star_facet(std::size_t k, unsigned corner) const;
 
-  void relocate(CellId from, CellId to);
-  template <class Keep>
-  std::size_t gather(std::size_t first, Keep keep);
-
+  /// What Site::rim_place holds in its upper half during an insertion.
+  static std::uint64_t stamp(VertexId apex) {
+    return std::uint64_t{index(apex)} << 32U;
+  }
   const double* at(VertexId v) const { return sites_[index(v)].at.data(); }
   Site& site(VertexId v) {
-    return v == kInfinite ? sites_.back() : sites_[index(v)];
+    return v == kInfinite ? infinite_site_ : sites_[index(v)];
   }
-  void reserve_cells();
 
-  std::vector<Site> sites_;  // by vertex; the infinite one comes last
-  std::vector<Cell> cells_;
+  Mesh3& mesh_;
+  Site* sites_;  // of the mesh
+  Cell* cells_;
+  Site infinite_site_;
+  FreshCells fresh_;
   std::vector<CellId> free_;
-  CellId hint_{};  // a cell near the vertex inserted last
+  Part part_{{}, 0};
+  bool lacks_room_ = false;
+  CellId hint_{};  // near the vertex inserted last, inside the hull
 
-  // Of the insertion under way; kept to reuse their memory. Rim facet k is
-  // boundary_[k] seen from the cavity, and star_[k] the new cell on it.
-  std::uint32_t insertion_ = 0;
-  std::vector<CellId> cavity_;
+  mutable Counters counters_;
+
+  // Of the insertion under way; kept to reuse their memory, and made longer
+  // together. Star cell k lies on boundary_[k]; its corners are in
+  // counter-clockwise order seen from the cavity, an infinite one the last.
+  std::vector<Facet> cavity_;  // each cell through the facet of its entry
   std::vector<Facet> boundary_;
+  std::size_t n_cavity_ = 0;  // so many are in use
+  std::size_t n_boundary_ = 0;
   std::vector<CellId> star_;
-  std::vector<RimFacet> facets_;
-  std::vector<RimVertex> rim_;
-  std::uint32_t n_rim_ = 0;
+  std::vector<SpokeTriple> corners_;  // positions in rim_ and spokes_
+  std::vector<VertexId> rim_;
+  std::vector<Spoke> spokes_;
+  std::size_t n_rim_ = 0;
   static constexpr std::size_t kLinkTableSide = 64;
   std::vector<Facet> link_table_;  // by pair of rim positions
 };

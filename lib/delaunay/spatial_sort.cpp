@@ -13,6 +13,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "delaunay/threads.h"
+
 namespace delaunay {
 namespace {
 
@@ -158,9 +160,22 @@ void check_finite(std::span<const Point<kDim>> points) {
                                   ": a coordinate is not finite");
 }
 
+/// Calls work(begin, end) on pieces of 0 .. n, on several threads if there is
+/// enough to do.
+template <class Work>
+void for_pieces(std::size_t n, unsigned threads, const Work& work) {
+  static constexpr std::size_t kWorthThreads = std::size_t{1} << 14U;
+  static constexpr unsigned kPiecesPerThread = 8;
+  if (threads == 1 || n < kWorthThreads) return work(0, n);
+  const unsigned n_pieces = kPiecesPerThread * threads;
+  run_tasks(n_pieces, threads, [&](unsigned i) {
+    work(n * i / n_pieces, n * (i + 1) / n_pieces);
+  });
+}
+
 /// By key, then row: into buckets by the leading bits, a dozen each if the
 /// points are spread evenly, then each bucket by comparison.
-void sort_by_key(std::span<Keyed> range) {
+void sort_by_key(std::span<Keyed> range, unsigned threads) {
   static constexpr unsigned kKeyBits = 60;
   const auto less = [](const Keyed& a, const Keyed& b) {
     return a.key != b.key ? a.key < b.key : a.row < b.row;
@@ -175,15 +190,17 @@ void sort_by_key(std::span<Keyed> range) {
   for (std::size_t b = 1; b < end.size(); ++b) end[b] += end[b - 1];
   const std::vector<Keyed> unsorted(range.begin(), range.end());
   for (const Keyed& k : unsorted) range[end[k.key >> shift]++] = k;
-  std::uint32_t begin = 0;
-  for (std::size_t b = 0; b + 1 < end.size(); begin = end[b++])
-    std::sort(range.begin() + begin, range.begin() + end[b], less);
+  for_pieces(end.size() - 1, threads, [&](std::size_t b, std::size_t last) {
+    std::uint32_t begin = b == 0 ? 0 : end[b - 1];
+    for (; b < last; begin = end[b++])
+      std::sort(range.begin() + begin, range.begin() + end[b], less);
+  });
 }
 
 /// Sorts one range of rows along the curve through its own bounding cube.
 template <int kDim>
 void sort_along_curve(std::span<const Point<kDim>> points,
-                      std::span<Keyed> range) {
+                      std::span<Keyed> range, unsigned threads) {
   Point<kDim> low = points[range.front().row];
   Point<kDim> high = low;
   for (const Keyed& k : range) {
@@ -191,8 +208,10 @@ void sort_along_curve(std::span<const Point<kDim>> points,
     high = high.cwiseMax(points[k.row]);
   }
   const Quantizer<kDim> quantizer(low, high);
-  for (Keyed& k : range) k.key = quantizer.key(points[k.row]);
-  sort_by_key(range);
+  for_pieces(range.size(), threads, [&](std::size_t i, std::size_t end) {
+    for (; i < end; ++i) range[i].key = quantizer.key(points[range[i].row]);
+  });
+  sort_by_key(range, threads);
 }
 
 template <int kDim>
@@ -229,7 +248,8 @@ void refine_ties(std::span<const Point<kDim>> points, std::span<Keyed> range,
 }
 
 template <int kDim>
-SpatialOrder<kDim> order(std::span<const Point<kDim>> points) {
+SpatialOrder<kDim> order(std::span<const Point<kDim>> points,
+                         unsigned threads) {
   check_finite<kDim>(points);
   SpatialOrder<kDim> result;
   if (points.empty()) return result;
@@ -241,7 +261,7 @@ SpatialOrder<kDim> order(std::span<const Point<kDim>> points) {
   while (!pending.empty()) {
     const std::span<Keyed> range = pending.back();
     pending.pop_back();
-    sort_along_curve<kDim>(points, range);
+    sort_along_curve<kDim>(points, range, threads);
     refine_ties<kDim>(points, range, pending);
   }
 
@@ -267,12 +287,14 @@ std::uint64_t mix(std::uint64_t x) {
 
 }  // namespace
 
-SpatialOrder<2> spatial_order(std::span<const Eigen::Vector2d> points) {
-  return order<2>(points);
+SpatialOrder<2> spatial_order(std::span<const Eigen::Vector2d> points,
+                              unsigned threads) {
+  return order<2>(points, threads);
 }
 
-SpatialOrder<3> spatial_order(std::span<const Eigen::Vector3d> points) {
-  return order<3>(points);
+SpatialOrder<3> spatial_order(std::span<const Eigen::Vector3d> points,
+                              unsigned threads) {
+  return order<3>(points, threads);
 }
 
 std::vector<VertexId> insertion_order(std::size_t n) {

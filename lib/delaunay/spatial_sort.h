@@ -24,9 +24,13 @@ struct SpatialOrder {
   std::vector<VertexId> vertex_of_row;
 };
 
+/// The same on any number of threads.
+///
 /// @throws std::invalid_argument  a coordinate is not finite (names the row)
-SpatialOrder<2> spatial_order(std::span<const Eigen::Vector2d> points);
-SpatialOrder<3> spatial_order(std::span<const Eigen::Vector3d> points);
+SpatialOrder<2> spatial_order(std::span<const Eigen::Vector2d> points,
+                              unsigned threads = 1);
+SpatialOrder<3> spatial_order(std::span<const Eigen::Vector3d> points,
+                              unsigned threads = 1);
 
 /// Biased randomised insertion order [Amenta03]: 0 .. n-1 cut into rounds of
 /// growing size, each round a pseudo-random subset in ascending order.

@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-#include "delaunay/bowyer_watson3_internal.h"
+#include "delaunay/parallel_insertion_internal.h"
 #include "delaunay/spatial_sort.h"
 #include "predicates/predicates.h"
 
@@ -69,20 +69,25 @@ int scaling_exponent(std::span<const Point3> points) {
   return std::ilogb(smallest) + e >= -900 ? e : 0;
 }
 
+/// Exact, by the choice of the exponent.
 void scale(std::vector<Point3>& points, int exponent) {
   if (exponent == 0) return;
+  // In two steps, for 2^1074 is no double.
+  const double first = std::ldexp(1, exponent / 2);
+  const double second = std::ldexp(1, exponent - exponent / 2);
   for (Point3& p : points)
-    for (double& x : p) x = std::ldexp(x, exponent);
+    for (double& x : p) x = x * first * second;
 }
 
 }  // namespace
 
-Triangulation3::Triangulation3(std::span<const Point3> points) {
+Triangulation3::Triangulation3(std::span<const Point3> points,
+                               unsigned threads) {
   if (points.size() > max_points())
     throw std::invalid_argument(
         std::to_string(points.size()) + " points; at most " +
         std::to_string(max_points()) + " can be triangulated");
-  auto [distinct, vertex_of_row] = spatial_order(points);
+  auto [distinct, vertex_of_row] = spatial_order(points, threads);
   points_ = std::move(distinct);
   vertex_of_row_ = std::move(vertex_of_row);
   const Frame frame = find_frame(points_);
@@ -92,11 +97,15 @@ Triangulation3::Triangulation3(std::span<const Point3> points) {
   const int exponent = scaling_exponent(points_);
   scale(points_, exponent);
   scale_exponent_ = -exponent;
-  BowyerWatson3 builder(points_, frame.vertex);
-  for (const VertexId v : insertion_order(points_.size()))
-    if (std::ranges::find(frame.vertex, v) == frame.vertex.end())
-      builder.insert(v);
-  n_finite_cells_ = std::move(builder).finish(cells_);
+  InsertionOptions options;
+  options.threads = static_cast<unsigned>(std::clamp<std::size_t>(
+      points_.size() / options.min_vertices, 1,
+      std::clamp(threads, 1U, InsertionOptions::kMaxThreads)));
+  Mesh3 mesh(points_, options.threads);
+  n_finite_cells_ =
+      insert_all(mesh, frame.vertex, insertion_order(points_.size()), options);
+  cells_ = std::move(mesh.cells);
+  counters_ = mesh.counters;
   scale(points_, -exponent);
 }
 

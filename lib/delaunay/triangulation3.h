@@ -9,6 +9,8 @@
 #include <span>
 #include <vector>
 
+#include "delaunay/cell_vector.h"
+#include "delaunay/counters.h"
 #include "delaunay/ids.h"
 
 namespace delaunay {
@@ -55,12 +57,18 @@ inline constexpr std::array<std::array<unsigned, 3>, 4> kFacetCorners = {
 class Triangulation3 {
  public:
   /// Bowyer-Watson insertion along a Hilbert curve; the same set of points
-  /// gives the same triangulation with the same numbers, whatever their order.
+  /// gives the same triangulation, whatever their order and the number of
+  /// threads. How cells are numbered, which even permutation of its corners a
+  /// cell holds and how its sphere is rounded depends on the set of points and
+  /// the number of threads alone.
   ///
   /// @param points  any unit, duplicates allowed, at most max_points()
+  /// @param threads  at most so many
   /// @throws std::invalid_argument  a coordinate is not finite (names the row)
   ///   or there are too many points
-  explicit Triangulation3(std::span<const Point3> points);
+  /// @throws std::length_error  there are over 2^30 cells, infinite ones among
+  ///   them; with max_points() that is 8 a point
+  explicit Triangulation3(std::span<const Point3> points, unsigned threads = 1);
 
   static constexpr std::size_t max_points() { return std::size_t{1} << 27U; }
 
@@ -83,11 +91,15 @@ class Triangulation3 {
   /// See Cell::center.
   int scale_exponent() const { return scale_exponent_; }
 
+  /// All 0 unless the build counts.
+  const Counters& counters() const { return counters_; }
+
  private:
   std::vector<Point3> points_;
   std::vector<VertexId> vertex_of_row_;
-  std::vector<Cell> cells_;
+  LazyVector<Cell> cells_;
   std::size_t n_finite_cells_ = 0;
+  Counters counters_;
   int scale_exponent_ = 0;
   int dimension_ = -1;
 };

@@ -22,7 +22,7 @@ class Budget {
             limits_.propagations -
                 std::min(limits_.propagations,
                          now.propagations - before_.propagations),
-            limits_.seconds - seconds.count()};
+            limits_.seconds - seconds.count(), limits_.stop};
   }
 
  private:

@@ -197,6 +197,7 @@ class Solver::Search {
     max_conflicts_ = add(statistics_.conflicts, limits.conflicts);
     max_propagations_ = add(propagator_.n_propagated(), limits.propagations);
     max_seconds_ = limits.seconds;
+    stop_ = limits.stop;
     start_time_ = Clock::now();
     n_until_clock_ = 0;
     n_restarts_ = 1;
@@ -278,6 +279,7 @@ class Solver::Search {
 
   bool is_out_of_time() {
     if (propagator_.n_propagated() >= max_propagations_) return true;
+    if (stop_ != nullptr && stop_->load(std::memory_order_relaxed)) return true;
     if (std::isinf(max_seconds_)) return false;
     if (n_until_clock_-- > 0) return false;
     n_until_clock_ = kStepsPerClockLook;
@@ -349,6 +351,7 @@ class Solver::Search {
   std::uint64_t max_conflicts_ = 0;
   std::uint64_t max_propagations_ = 0;
   double max_seconds_ = 0;
+  const std::atomic<bool>* stop_ = nullptr;
   Clock::time_point start_time_;
   std::uint64_t n_until_clock_ = 0;
   std::uint64_t n_restarts_ = 0;  // of this call, plus 1

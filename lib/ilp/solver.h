@@ -2,6 +2,7 @@
 /// Conflict-driven search for a solution of a 0/1 program.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -24,6 +25,9 @@ struct Limits {
   std::uint64_t conflicts = std::numeric_limits<std::uint64_t>::max();
   std::uint64_t propagations = std::numeric_limits<std::uint64_t>::max();
   double seconds = std::numeric_limits<double>::infinity();
+  /// The call ends soon after this becomes true; may be set by any thread or
+  /// by a signal handler, and must outlive the call.
+  const std::atomic<bool>* stop = nullptr;
 };
 
 /// Totals since the solver was made.

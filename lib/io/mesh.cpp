@@ -18,11 +18,11 @@ OutputFormat mesh_format(const std::string& path, int dimension) {
   const auto format = output_format(path);
   const auto wrong = dimension == 2
                          ? std::array{OutputFormat::Off, OutputFormat::Stl}
-                         : std::array{OutputFormat::Text, OutputFormat::Text};
+                         : std::array{OutputFormat::Text, OutputFormat::Svg};
   if (!format || std::ranges::count(wrong, *format) > 0)
     throw WriteError(display_output(path) +
                      ": cannot write: the extension of a " +
-                     (dimension == 2 ? "curve is .ply, .obj or .txt"
+                     (dimension == 2 ? "curve is .ply, .obj, .svg or .txt"
                                      : "mesh is .ply, .off, .obj or .stl"));
   return *format;
 }
@@ -61,6 +61,8 @@ void write_mesh(const std::string& path, const Mesh& mesh,
       return write_file(path, off_text(mesh));
     case OutputFormat::Obj:
       return write_file(path, obj_text(mesh));
+    case OutputFormat::Svg:
+      return write_file(path, svg_text(mesh));
     case OutputFormat::Text:
       return write_file(path, row_text(mesh));
     case OutputFormat::Stl:

@@ -30,7 +30,8 @@ struct Mesh {
 Mesh read_mesh(const std::string& path);
 
 /// Format by extension: .ply (binary), .off, .obj, .stl (binary, coordinates
-/// rounded to float); in the plane .ply, .obj, .txt (a line `x y x y` an edge).
+/// rounded to float); in the plane .ply, .obj, .svg (a picture), .txt (a line
+/// `x y x y` an edge).
 ///
 /// @param path    `-` is standard output, as PLY
 /// @param lambda  one a triangle (an edge in the plane), or none; property

@@ -26,6 +26,7 @@ void write_points(const std::string& path, const PointSet& points) {
       return write_file(path, obj_text(mesh));
     case OutputFormat::Off:
     case OutputFormat::Stl:
+    case OutputFormat::Svg:
       throw WriteError(display_output(path) +
                        ": points go to .ply, .obj and text files");
     case OutputFormat::Text:

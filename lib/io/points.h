@@ -26,7 +26,7 @@ PointSet read_points(const std::string& path);
 /// extension says: .ply (binary) or .obj.
 ///
 /// @param path  `-` is standard output, as text
-/// @throws WriteError  for .off and .stl too: they hold meshes
+/// @throws WriteError  for .off, .stl and .svg too: they hold meshes
 void write_points(const std::string& path, const PointSet& points);
 
 }  // namespace io

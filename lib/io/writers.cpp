@@ -78,6 +78,7 @@ std::optional<OutputFormat> output_format(std::string_view path) {
   if (has_extension(path, ".off")) return OutputFormat::Off;
   if (has_extension(path, ".obj")) return OutputFormat::Obj;
   if (has_extension(path, ".stl")) return OutputFormat::Stl;
+  if (has_extension(path, ".svg")) return OutputFormat::Svg;
   if (has_extension(path, ".txt")) return OutputFormat::Text;
   return std::nullopt;
 }

@@ -11,7 +11,7 @@
 
 namespace io {
 
-enum class OutputFormat { Ply, Off, Obj, Stl, Text };
+enum class OutputFormat { Ply, Off, Obj, Stl, Svg, Text };
 
 /// What the extension says; none if it is unknown, and for `-`.
 std::optional<OutputFormat> output_format(std::string_view path);
@@ -22,6 +22,8 @@ std::string off_text(const Mesh& mesh);
 std::string obj_text(const Mesh& mesh);
 /// @pre coordinates fit float
 std::string stl_bytes(const Mesh& mesh);
+/// A picture of a curve and its points, to seven digits.
+std::string svg_text(const Mesh& mesh);
 /// A row per edge, `x y [z]` of its ends; without edges a row per vertex.
 std::string row_text(const Mesh& mesh);
 

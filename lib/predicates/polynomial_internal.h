@@ -73,18 +73,30 @@ struct Insphere {
   static constexpr std::size_t kDimension = 3, kPoints = 5, kOrigin = 4;
   static constexpr int kInt64Bits = 11, kInt128Bits = 24;
 
-  template <class Minus, class Points>
-  static constexpr auto evaluate(const Minus& minus, const Points& p) {
-    const auto a = vector3(minus, p[0], p[4]);
-    const auto b = vector3(minus, p[1], p[4]);
-    const auto c = vector3(minus, p[2], p[4]);
-    const auto d = vector3(minus, p[3], p[4]);
+  /// Orientations of the simplex with e in place of a, b, c, d; the second and
+  /// the fourth with the other sign.
+  template <class Vector>
+  static constexpr auto minors(const std::array<Vector, 4>& q) {
+    const auto& [a, b, c, d] = q;
     const auto ab = cross_xy(a, b), bc = cross_xy(b, c), cd = cross_xy(c, d);
     const auto da = cross_xy(d, a), ac = cross_xy(a, c), bd = cross_xy(b, d);
-    const auto abc = bc * a.z - ac * b.z + ab * c.z;
-    const auto bcd = cd * b.z - bd * c.z + bc * d.z;
-    const auto cda = da * c.z + ac * d.z + cd * a.z;
-    const auto dab = ab * d.z + bd * a.z + da * b.z;
+    return std::array{
+        cd * b.z - bd * c.z + bc * d.z, da * c.z + ac * d.z + cd * a.z,
+        ab * d.z + bd * a.z + da * b.z, bc * a.z - ac * b.z + ab * c.z};
+  }
+
+  template <class Minus, class Points>
+  static constexpr auto evaluate(const Minus& minus, const Points& p) {
+    const std::array q = {
+        vector3(minus, p[0], p[4]), vector3(minus, p[1], p[4]),
+        vector3(minus, p[2], p[4]), vector3(minus, p[3], p[4])};
+    return evaluate(q, minors(q));
+  }
+  template <class Vector, class Minor>
+  static constexpr auto evaluate(const std::array<Vector, 4>& q,
+                                 const std::array<Minor, 4>& minor) {
+    const auto& [a, b, c, d] = q;
+    const auto& [bcd, cda, dab, abc] = minor;
     return (dab * dot(c, c) - abc * dot(d, d)) +
            (bcd * dot(a, a) - cda * dot(b, b));
   }

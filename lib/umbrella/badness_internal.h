@@ -21,6 +21,8 @@ class Badness {
   double operator()(const Triangle& corners, delaunay::Facet facet) const;
 
  private:
+  double ball_overlap(const std::array<Point3, 3>& abc,
+                      delaunay::Facet facet) const;
   double squared_lambda_lower(const std::array<Point3, 3>& abc,
                               delaunay::Facet facet) const;
 

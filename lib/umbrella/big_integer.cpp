@@ -10,13 +10,20 @@
 namespace umbrella {
 namespace {
 
-constexpr unsigned kLimbBits = 32;
+constexpr unsigned kLimbBits = 64;
 
-void trim(std::vector<std::uint32_t>& limbs) {
-  while (!limbs.empty() && limbs.back() == 0) limbs.pop_back();
-}
+/// A digit and what is carried.
+__extension__ using Wide = unsigned __int128;
 
 }  // namespace
+
+void Limbs::trim() {
+  const std::uint64_t* digits = data();
+  std::size_t n = size_;
+  while (n > 0 && digits[n - 1] == 0) --n;
+  if (size_ > kFew && n <= kFew) std::copy_n(digits, n, few_.begin());
+  size_ = n;
+}
 
 int lowest_bit(double x) {
   if (x == 0) return INT_MAX;
@@ -38,9 +45,8 @@ BigInteger::BigInteger(double x, int exponent) : negative_(x < 0) {
   const double fraction = std::frexp(std::abs(x), &high);
   const auto mantissa =
       static_cast<std::uint64_t>(std::ldexp(fraction, high - low));
-  limbs_ = {static_cast<std::uint32_t>(mantissa),
-            static_cast<std::uint32_t>(mantissa >> kLimbBits)};
-  trim(limbs_);
+  limbs_ = Limbs::zeros(1);
+  limbs_.data()[0] = mantissa;
   limbs_ = shifted(limbs_, static_cast<unsigned>(low - exponent));
 }
 
@@ -71,17 +77,18 @@ BigInteger operator-(const BigInteger& a, const BigInteger& b) {
 
 BigInteger operator*(const BigInteger& a, const BigInteger& b) {
   BigInteger product;
-  product.limbs_.assign(a.limbs_.size() + b.limbs_.size(), 0);
+  product.limbs_ = Limbs::zeros(a.limbs_.size() + b.limbs_.size());
+  std::uint64_t* const digits = product.limbs_.data();
   for (std::size_t i = 0; i < a.limbs_.size(); ++i) {
-    std::uint64_t carry = 0;
+    Wide carry = 0;
     for (std::size_t k = 0; k < b.limbs_.size(); ++k) {
-      carry += std::uint64_t{a.limbs_[i]} * b.limbs_[k] + product.limbs_[i + k];
-      product.limbs_[i + k] = static_cast<std::uint32_t>(carry);
+      carry += Wide{a.limbs_[i]} * b.limbs_[k] + digits[i + k];
+      digits[i + k] = static_cast<std::uint64_t>(carry);
       carry >>= kLimbBits;
     }
-    product.limbs_[i + b.limbs_.size()] = static_cast<std::uint32_t>(carry);
+    digits[i + b.limbs_.size()] = static_cast<std::uint64_t>(carry);
   }
-  trim(product.limbs_);
+  product.limbs_.trim();
   product.negative_ = a.negative_ != b.negative_ && !product.is_zero();
   return product;
 }
@@ -114,54 +121,58 @@ double nearest_quotient(const BigInteger& a, const BigInteger& b,
 
 bool BigInteger::less(const Limbs& a, const Limbs& b) {
   if (a.size() != b.size()) return a.size() < b.size();
-  return std::lexicographical_compare(a.rbegin(), a.rend(), b.rbegin(),
-                                      b.rend());
+  for (std::size_t i = a.size(); i-- > 0;)
+    if (a[i] != b[i]) return a[i] < b[i];
+  return false;
 }
 
-BigInteger::Limbs BigInteger::sum(const Limbs& a, const Limbs& b) {
+Limbs BigInteger::sum(const Limbs& a, const Limbs& b) {
   if (a.size() < b.size()) return sum(b, a);
-  Limbs result = a;
-  std::uint64_t carry = 0;
-  for (std::size_t i = 0; i < result.size(); ++i) {
-    carry += std::uint64_t{result[i]} + (i < b.size() ? b[i] : 0);
-    result[i] = static_cast<std::uint32_t>(carry);
+  Limbs result = Limbs::zeros(a.size() + 1);
+  std::uint64_t* const digits = result.data();
+  Wide carry = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    carry += Wide{a[i]} + (i < b.size() ? b[i] : 0);
+    digits[i] = static_cast<std::uint64_t>(carry);
     carry >>= kLimbBits;
   }
-  result.push_back(static_cast<std::uint32_t>(carry));
-  trim(result);
+  digits[a.size()] = static_cast<std::uint64_t>(carry);
+  result.trim();
   return result;
 }
 
-BigInteger::Limbs BigInteger::difference(const Limbs& a, const Limbs& b) {
-  Limbs result = a;
+Limbs BigInteger::difference(const Limbs& a, const Limbs& b) {
+  Limbs result = Limbs::zeros(a.size());
+  std::uint64_t* const digits = result.data();
   std::uint64_t borrow = 0;
-  for (std::size_t i = 0; i < result.size(); ++i) {
-    const std::uint64_t taken = borrow + (i < b.size() ? b[i] : 0);
-    borrow = result[i] < taken ? 1 : 0;
-    result[i] = static_cast<std::uint32_t>(result[i] - taken);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const Wide taken = Wide{borrow} + (i < b.size() ? b[i] : 0);
+    borrow = a[i] < taken ? 1 : 0;
+    digits[i] = a[i] - static_cast<std::uint64_t>(taken);
   }
-  trim(result);
+  result.trim();
   return result;
 }
 
-BigInteger::Limbs BigInteger::shifted(const Limbs& a, unsigned bits) {
+Limbs BigInteger::shifted(const Limbs& a, unsigned bits) {
   if (a.empty()) return a;
-  const unsigned within = bits % kLimbBits;
-  Limbs result(bits / kLimbBits, 0);
-  std::uint64_t carry = 0;
-  for (const std::uint32_t limb : a) {
-    carry |= std::uint64_t{limb} << within;
-    result.push_back(static_cast<std::uint32_t>(carry));
+  const unsigned within = bits % kLimbBits, whole = bits / kLimbBits;
+  Limbs result = Limbs::zeros(whole + a.size() + 1);
+  std::uint64_t* const digits = result.data();
+  Wide carry = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    carry |= Wide{a[i]} << within;
+    digits[whole + i] = static_cast<std::uint64_t>(carry);
     carry >>= kLimbBits;
   }
-  result.push_back(static_cast<std::uint32_t>(carry));
-  trim(result);
+  digits[whole + a.size()] = static_cast<std::uint64_t>(carry);
+  result.trim();
   return result;
 }
 
 int BigInteger::bit_length(const Limbs& a) {
   if (a.empty()) return 0;
-  const auto top = static_cast<int>(std::bit_width(a.back()));
+  const auto top = static_cast<int>(std::bit_width(a[a.size() - 1]));
   return static_cast<int>(kLimbBits) * (static_cast<int>(a.size()) - 1) + top;
 }
 

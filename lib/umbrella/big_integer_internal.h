@@ -1,12 +1,45 @@
 /// @file
 /// Whole numbers of any size, for the few ranks that doubles cannot tell
-/// apart. Plain and slow: a product costs the product of the lengths.
+/// apart. Plain: a product costs the product of the lengths.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace umbrella {
+
+/// Digits of a magnitude to the base 2^64, low first, no zero on top. Up to
+/// kFew need no allocation: a fraction of lambda^2 from coordinates of 53 bits
+/// has 12, and a product of two such 24.
+class Limbs {
+ public:
+  std::size_t size() const { return size_; }
+  bool empty() const { return size_ == 0; }
+  const std::uint64_t* data() const {
+    return size_ <= kFew ? few_.data() : many_.data();
+  }
+  std::uint64_t* data() { return size_ <= kFew ? few_.data() : many_.data(); }
+  std::uint64_t operator[](std::size_t i) const { return data()[i]; }
+
+  /// n digits of 0, in place of what was there.
+  static Limbs zeros(std::size_t n) {
+    Limbs result;
+    result.size_ = n;
+    if (n > kFew) result.many_.resize(n);
+    return result;
+  }
+  /// Takes zeros off the top.
+  void trim();
+
+ private:
+  static constexpr std::size_t kFew = 28;
+
+  std::size_t size_ = 0;
+  std::array<std::uint64_t, kFew> few_ = {};  // unless size_ is more
+  std::vector<std::uint64_t> many_;           // if it is
+};
 
 /// Sign and magnitude; value semantics.
 class BigInteger {
@@ -31,8 +64,6 @@ class BigInteger {
                                  int exponent);
 
  private:
-  using Limbs = std::vector<std::uint32_t>;  // low first, no zeros on top
-
   static bool less(const Limbs& a, const Limbs& b);
   static Limbs sum(const Limbs& a, const Limbs& b);
   static Limbs difference(const Limbs& a, const Limbs& b);  // a >= b

@@ -1,7 +1,8 @@
-// A mesh is judged star by star: the edges at a vertex, sorted by their other
-// end, tell how many triangles lie on each and how the triangles follow one
-// another around the vertex. Degenerate and repeated triangles are counted, and
-// take part in all the rest as they are.
+// A mesh is judged star by star. Most are sound, which a walk around each
+// vertex shows. If not, the edges at a vertex, sorted by their other end, tell
+// how many triangles lie on each and how the triangles follow one another
+// around the vertex. Degenerate and repeated triangles are counted, and take
+// part in all the rest as they are.
 #include "umbrella/certificate.h"
 
 #include <Eigen/Geometry>
@@ -103,13 +104,17 @@ class Stars {
 
   std::size_t n_vertices() const { return first_.size() - 1; }
 
+  /// 3 t + i for entry i of triangle t, ascending.
+  std::span<const std::uint32_t> corners_at(std::uint32_t v) const {
+    return std::span(corners_).subspan(first_[v], first_[v + 1] - first_[v]);
+  }
+
   /// Calls visit(Star) for each vertex; the star is gone after the call.
   template <class Visit>
   void for_each(Visit visit) const {
     std::vector<Spoke> spokes;
     for (std::uint32_t v = 0; v < n_vertices(); ++v) {
-      const auto at_v =
-          std::span(corners_).subspan(first_[v], first_[v + 1] - first_[v]);
+      const auto at_v = corners_at(v);
       spokes.clear();
       for (std::size_t k = 0; k < at_v.size(); ++k) {
         const IndexedTriangle& t = triangles_[at_v[k] / 3];
@@ -251,19 +256,92 @@ class StarJudge {
   std::vector<IndexedEdge> others_;
 };
 
-/// All counts, and the orientation.
-void judge_stars(const Stars& stars, std::span<const IndexedTriangle> triangles,
-                 SurfaceReport& report, Components& components) {
+/// Whether the triangles at each vertex that has any are one umbrella, of three
+/// at least, and run around it one way. This says that the mesh is closed,
+/// manifold and oriented without a look at its edges.
+class UmbrellaCheck {
+ public:
+  UmbrellaCheck(const Stars& stars, std::span<const IndexedTriangle> triangles)
+      : stars_(stars), triangles_(triangles), links_(stars.n_vertices()) {}
+
+  bool operator()() {
+    for (std::uint32_t v = 0; v < stars_.n_vertices(); ++v)
+      if (!stars_.corners_at(v).empty() && !is_umbrella(v)) return false;
+    return true;
+  }
+
+ private:
+  /// A triangle at `center` leads from one neighbour to the next.
+  struct Link {
+    std::uint32_t center = std::numeric_limits<std::uint32_t>::max();
+    std::uint32_t next = 0;
+  };
+
+  bool is_umbrella(std::uint32_t v) {
+    constexpr std::size_t kLeast = 3;
+    const auto corners = stars_.corners_at(v);
+    std::uint32_t start = v;
+    for (const std::uint32_t c : corners) {
+      const IndexedTriangle& t = triangles_[c / 3];
+      const std::uint32_t i = c % 3;
+      start = t[i == 2 ? 0 : i + 1];
+      if (start == v || links_[start].center == v) return false;
+      links_[start] = {v, t[i == 0 ? 2 : i - 1]};
+    }
+    // No two triangles leave towards one neighbour: back at the start after
+    // all of them, the walk has met each once.
+    std::uint32_t w = start;
+    for (std::size_t n = 1; n <= corners.size(); ++n) {
+      w = links_[w].next;
+      if (links_[w].center != v) return false;
+      if (w == start) return n == corners.size() && n >= kLeast;
+    }
+    return false;
+  }
+
+  const Stars& stars_;
+  std::span<const IndexedTriangle> triangles_;
+  std::vector<Link> links_;  // by neighbour
+};
+
+/// What judge_all() finds where the UmbrellaCheck passes.
+/// @return the number of edges
+std::size_t judge_sound(const Stars& stars, std::size_t n_triangles,
+                        SurfaceReport& report, Components& components) {
+  for (std::uint32_t v = 0; v < stars.n_vertices(); ++v) {
+    const auto corners = stars.corners_at(v);
+    if (corners.empty()) report.unused_vertices.push_back(v);
+    for (const std::uint32_t c : corners)
+      components.join(c / 3, corners.front() / 3);
+  }
+  report.oriented = report.orientable = true;
+  return 3 * n_triangles / 2;
+}
+
+/// @return the number of edges
+std::size_t judge_all(const Stars& stars,
+                      std::span<const IndexedTriangle> triangles,
+                      SurfaceReport& report, Components& components) {
   report.oriented = true;
   StarJudge judge(triangles, report, components);
   stars.for_each([&](const Star& star) { judge(star); });
   report.orientable =
       report.oriented || can_be_oriented(triangles.size(), stars);
+  return judge.n_edges();
+}
+
+/// All counts, and the orientation.
+void judge_stars(const Stars& stars, std::span<const IndexedTriangle> triangles,
+                 SurfaceReport& report, Components& components) {
+  const std::size_t n_edges =
+      UmbrellaCheck(stars, triangles)()
+          ? judge_sound(stars, triangles.size(), report, components)
+          : judge_all(stars, triangles, report, components);
   for (std::uint32_t t = 0; t < triangles.size(); ++t)
     report.components += components.root(t) == t ? 1 : 0;
   report.vertices = stars.n_vertices() - report.unused_vertices.size();
   report.euler = static_cast<std::int64_t>(report.vertices) -
-                 static_cast<std::int64_t>(judge.n_edges()) +
+                 static_cast<std::int64_t>(n_edges) +
                  static_cast<std::int64_t>(triangles.size());
 }
 

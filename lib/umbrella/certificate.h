@@ -17,6 +17,8 @@ namespace umbrella {
 using IndexedTriangle = std::array<std::uint32_t, 3>;
 using IndexedEdge = std::array<std::uint32_t, 2>;
 
+/// Closed and manifold, with every vertex used: that is a surface complex
+/// [Adamy02, Def. 3.2].
 struct SurfaceReport {
   std::size_t vertices = 0;  ///< rows that some triangle uses
   std::size_t triangles = 0;

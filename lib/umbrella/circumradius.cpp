@@ -101,8 +101,8 @@ double squared_radius(const RadiusFraction<BigInteger>& fraction, int exponent,
 /// grows with the flatness.
 constexpr double kPairError = 0x1p-94;
 
-/// Up to here pairs still give 2^-32.
-constexpr double kFlattestPair = 0x1p62;
+/// Up to here pairs still give 2^-36.
+constexpr double kFlattestPair = 0x1p58;
 
 using Pair = DoubleDouble;
 
@@ -166,7 +166,7 @@ std::optional<double> quarter_rounded(const PairRadius& r) {
   return rounded ? std::optional(*rounded / 4) : std::nullopt;
 }
 
-/// Where doubles alone do not give 2^-31.
+/// Where doubles alone do not give 2^-35.
 template <std::size_t kPoints>
 double refined(const std::array<Point3, kPoints>& corners, double scale) {
   const PairRadius r = pair_radius(corners, scale);
@@ -206,11 +206,6 @@ double squared_circumradius(const std::array<Point3, 4>& abcd, double scale) {
   const bool fat =
       std::min({uu, vv, ww}) >= kTiny && r.denominator >= kFat * (uu * vv * ww);
   return fat ? r.numerator / (4 * r.denominator) : refined(abcd, scale);
-}
-
-double refined_squared_circumradius(const std::array<Point3, 4>& corners,
-                                    double scale) {
-  return refined(corners, scale);
 }
 
 double exact_squared_circumradius(const std::array<Point3, 3>& abc,

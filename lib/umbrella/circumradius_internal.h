@@ -66,10 +66,10 @@ RadiusFraction<T> sphere_radius(const Sphere<T>& s) {
 }
 
 /// Proofs in docs/math.md, "Circumspheres": in doubles a squared radius is off
-/// by less than a 2^-31 part if the squared area or volume is at least this
+/// by less than a 2^-35 part if the squared area or volume is at least this
 /// part of what the edges at one corner allow, and no square is below kTiny,
 /// where underflow could spoil it.
-inline constexpr double kFat = 0x1p-30;
+inline constexpr double kFat = 0x1p-22;
 inline constexpr double kTiny = 0x1p-200;
 
 /// A power of two that brings the largest coordinate to about 1, so that no
@@ -83,7 +83,7 @@ inline Vector<double> scaled_difference(const delaunay::Point3& p,
           scale * p[2] - scale * q[2]};
 }
 
-/// Square of the circumradius in units of 1 / scale, off by less than a 2^-31
+/// Square of the circumradius in units of 1 / scale, off by less than a 2^-35
 /// part. The order of the corners may change the last bits.
 ///
 /// @param scale  power_of_two_scale() of these and perhaps more points
@@ -92,9 +92,6 @@ double squared_circumradius(const delaunay::Point3& a,
                             const delaunay::Point3& c, double scale);
 double squared_circumradius(const std::array<delaunay::Point3, 4>& abcd,
                             double scale);
-/// The same where doubles alone do not give it, as kFat and kTiny tell.
-double refined_squared_circumradius(
-    const std::array<delaunay::Point3, 4>& corners, double scale);
 
 /// Each is the double nearest to the exact value for the given coordinates,
 /// which may be any finite doubles; equal values give equal doubles.

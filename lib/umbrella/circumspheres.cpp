@@ -1,16 +1,12 @@
-// One pass over the cells answers both questions of a facet: with the centre
-// in barycentric coordinates, its sign at a corner says on which side of the
-// opposite facet the centre lies, hence whether the corner lies in the facet's
-// diametral ball; so two cells decide a Gabriel triangle, and no ball is
-// tested twice. Cells are taken by fours, so that the arithmetic fills vector
-// registers.
+// Radii are computed for four facets at a time, so that the arithmetic fills
+// vector registers; which cell at a facet is the larger one, and whether the
+// facet is Gabriel, the cached spheres nearly always tell.
 #include "umbrella/circumspheres.h"
 
 #include <Eigen/Core>
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <compare>
+#include <cstdint>
 #include <limits>
 
 #include "predicates/gabriel.h"
@@ -20,149 +16,152 @@ namespace umbrella {
 namespace {
 
 using delaunay::Cell;
+using delaunay::CellId;
+using delaunay::Facet;
 using delaunay::kFacetCorners;
 using delaunay::Point3;
 using delaunay::Triangulation3;
 using delaunay::VertexId;
 
-// Proofs in docs/math.md, "Circumspheres": with M^2 the largest of |u|^2,
-// |v|^2, |w|^2, each barycentric coordinate (times 2 volume^2) is off by less
-// than kSideError M^6, if M^2 is at least kTiny: below, underflow could spoil
-// it.
-constexpr double kSideError = 0x1p-43;
-
-/// One number for each of some cells; arithmetic is on all at once.
+/// One number for each of some facets; arithmetic is on all at once.
 constexpr std::size_t kLanes = 4;
 using Lanes = Eigen::Array<double, kLanes, 1>;
 
-/// A corner of a cell and its place there, in 32 bits; ascends with the vertex.
-class Corner {
- public:
-  Corner(VertexId vertex, unsigned place)
-      : bits_(static_cast<std::uint32_t>(vertex) << 2U | place) {}
-  Corner() = default;
-  VertexId vertex() const { return VertexId{bits_ >> 2U}; }
-  unsigned place() const { return bits_ & 3U; }
-  friend auto operator<=>(Corner, Corner) = default;
-
- private:
-  std::uint32_t bits_ = 0;
-};
-static_assert(Triangulation3::max_points() <= std::size_t{1} << 30U);
-
-using Corners = std::array<Corner, 4>;
-
-/// Ascending: so results do not depend on the order in the cell.
-Corners sorted_corners(const Cell& cell) {
-  Corners corners = {Corner(cell.vertex[0], 0), Corner(cell.vertex[1], 1),
-                     Corner(cell.vertex[2], 2), Corner(cell.vertex[3], 3)};
-  const auto order = [&corners](unsigned i, unsigned k) {
-    const Corner low = std::min(corners[i], corners[k]);
-    corners[k] = std::max(corners[i], corners[k]);
-    corners[i] = low;
+/// In place, ascending: so results do not depend on the order in the cell.
+/// Plain numbers, for which minima are made without a jump.
+template <std::size_t kCorners>
+void sort_corners(std::array<VertexId, kCorners>& v) {
+  const auto order = [&v](unsigned i, unsigned k) {
+    const auto a = static_cast<std::uint32_t>(v[i]);
+    const auto b = static_cast<std::uint32_t>(v[k]);
+    v[i] = VertexId{a < b ? a : b};
+    v[k] = VertexId{a < b ? b : a};
   };
-  order(0, 1), order(2, 3), order(0, 2), order(1, 3), order(1, 2);
-  return corners;
+  order(0, 1), order(1, 2), order(0, 1);
+  if constexpr (kCorners == 4) order(2, 3), order(1, 2), order(0, 1);
 }
 
-struct Geometry {
-  Lanes squared_radius;  // right where is_fat
-  Eigen::Array<bool, kLanes, 1> is_fat;
-  std::array<Lanes, 4> side;  // 2 volume^2 times barycentric coordinates
-  Lanes side_error;           // infinite where nothing is certain
-};
+/// A facet within the hull or on it, and the cell there with the larger sphere.
+struct FacetView {
+  std::array<const Point3*, 4> points;  // corners; that cell's apex
+  const Point3* rival = nullptr;  // apex of the other cell, if it may be larger
+  bool on_hull = false;
 
-/// @param v  corners in any fixed order, scaled
-Geometry measure(const std::array<Vector<Lanes>, 4>& v) {
-  const auto edge = [&](unsigned k) -> Vector<Lanes> {
-    return {v[k][0] - v[0][0], v[k][1] - v[0][1], v[k][2] - v[0][2]};
-  };
-  const Vector<Lanes> a = edge(1), b = edge(2), c = edge(3);
-  const Sphere<Lanes> s = sphere(a, b, c);
-  const RadiusFraction<Lanes> r = sphere_radius(s);
-  const Lanes aa = dot(a, a), bb = dot(b, b), cc = dot(c, c);
-  const Lanes longest = aa.max(bb).max(cc), shortest = aa.min(bb).min(cc);
+  FacetView() = default;
+  FacetView(const Triangulation3& t, Facet facet) {
+    const Cell& here = t.cell(facet.cell());
+    const Facet beyond = here.neighbor[facet.index()];
+    const Cell& there = t.cell(beyond.cell());
+    std::array<VertexId, 3> corners;
+    for (unsigned i = 0; i < 3; ++i)
+      corners[i] = here.vertex[kFacetCorners[facet.index()][i]];
+    sort_corners(corners);
+    for (unsigned i = 0; i < 3; ++i) points[i] = &t.point(corners[i]);
 
-  Geometry result;
-  result.squared_radius = r.numerator / (4 * r.denominator);
-  result.is_fat = shortest >= kTiny && r.denominator >= kFat * (aa * bb * cc);
-  auto& side = result.side;
-  side[1] = dot(s.center, s.normal_vw);
-  side[2] = dot(s.center, s.normal_wu);
-  side[3] = dot(s.center, s.normal_uv);
-  side[0] = 2 * r.denominator - (side[1] + side[2] + side[3]);
-  result.side_error = (longest < kTiny)
-                          .select(std::numeric_limits<double>::infinity(),
-                                  kSideError * (longest * longest * longest));
-  return result;
-}
-
-bool apex_outside(const Triangulation3& t, const Cell& cell, unsigned facet) {
-  const auto& corners = kFacetCorners[facet];
-  const auto at = [&](unsigned i) { return t.point(cell.vertex[i]).data(); };
-  return predicates::gabriel_triangle(at(corners[0]), at(corners[1]),
-                                      at(corners[2]), at(facet)) >= 0;
-}
-
-/// The squared radius of a cell where doubles do not suffice.
-double refined(const Triangulation3& t, const Corners& corners, double scale) {
-  return refined_squared_circumradius(
-      std::array{t.point(corners[0].vertex()), t.point(corners[1].vertex()),
-                 t.point(corners[2].vertex()), t.point(corners[3].vertex())},
-      scale);
-}
-
-/// Bit i: whether the corner opposite facet i lies outside its diametral ball.
-unsigned apexes_outside(const Triangulation3& t, const Cell& cell,
-                        const Corners& corners, const Geometry& geometry,
-                        Eigen::Index lane) {
-  unsigned bits = 0;
-  for (unsigned k = 0; k < 4; ++k) {
-    const unsigned facet = corners[k].place();
-    const double side = geometry.side[k][lane];
-    const bool outside = std::abs(side) > geometry.side_error[lane]
-                             ? side > 0
-                             : apex_outside(t, cell, facet);
-    bits |= (outside ? 1U : 0U) << facet;
+    on_hull = here.is_infinite() || there.is_infinite();
+    const bool is_beyond =
+        on_hull ? here.is_infinite() : there.inside2 > here.inside2;
+    const VertexId near = here.vertex[facet.index()];
+    const VertexId far = there.vertex[beyond.index()];
+    points[3] = &t.point(is_beyond ? far : near);
+    // Squared radii lie within a 2^-22 part of what is cached, and are computed
+    // to a 2^-35 part: beyond such a gap there is no rival.
+    constexpr double kGap = 1 + 0x1p-20;
+    if (!on_hull && std::max(here.inside2, there.inside2) <=
+                        kGap * std::min(here.outside2, there.outside2))
+      rival = &t.point(is_beyond ? near : far);
   }
-  return bits;
+};
+
+/// Radii of four facets in plain doubles.
+struct Geometry {
+  Lanes triangle, cell;  // squared radii, right where fat
+  Eigen::Array<bool, kLanes, 1> is_fat_triangle, is_fat_cell;
+
+  explicit Geometry(const std::array<Vector<Lanes>, 4>& v) {
+    const auto edge = [&](unsigned k) -> Vector<Lanes> {
+      return {v[k][0] - v[0][0], v[k][1] - v[0][1], v[k][2] - v[0][2]};
+    };
+    const Vector<Lanes> a = edge(1), b = edge(2), c = edge(3);
+    const Lanes aa = dot(a, a), bb = dot(b, b), cc = dot(c, c);
+    const RadiusFraction<Lanes> r = circle_radius(a, b);
+    const RadiusFraction<Lanes> R = sphere_radius(sphere(a, b, c));
+    triangle = r.numerator / (4 * r.denominator);
+    cell = R.numerator / (4 * R.denominator);
+    const Lanes shortest = aa.min(bb);
+    is_fat_triangle = shortest >= kTiny && r.denominator >= kFat * (aa * bb);
+    is_fat_cell =
+        shortest.min(cc) >= kTiny && R.denominator >= kFat * (aa * bb * cc);
+  }
+};
+
+FacetRadii radii_of(const FacetView& view, const Geometry& geometry,
+                    std::size_t lane, double scale) {
+  const auto l = static_cast<Eigen::Index>(lane);
+  const auto& [a, b, c, d] = view.points;
+  FacetRadii radii = {geometry.triangle[l], geometry.cell[l]};
+  if (!geometry.is_fat_triangle[l])
+    radii.triangle = squared_circumradius(*a, *b, *c, scale);
+  if (!geometry.is_fat_cell[l])
+    radii.larger_cell = squared_circumradius({*a, *b, *c, *d}, scale);
+  if (view.rival != nullptr)
+    radii.larger_cell =
+        std::max(radii.larger_cell,
+                 squared_circumradius({*a, *b, *c, *view.rival}, scale));
+  if (view.on_hull) radii.larger_cell = std::numeric_limits<double>::infinity();
+  return radii;
 }
 
 }  // namespace
 
 Circumspheres::Circumspheres(const Triangulation3& triangulation)
-    : squared_radius_(triangulation.cells().size(),
-                      std::numeric_limits<double>::infinity()),
-      apex_outside_(triangulation.cells().size(), 0b1111),
-      scale_(power_of_two_scale(triangulation.points())) {
-  const std::size_t n = triangulation.n_finite_cells();
-  for (std::size_t first = 0; first < n; first += kLanes)
-    add_cells(triangulation, first, std::min(n - first, kLanes));
+    : triangulation_(&triangulation),
+      scale_(power_of_two_scale(triangulation.points())) {}
+
+double Circumspheres::squared_radius(CellId id) const {
+  const Cell& cell = triangulation_->cell(id);
+  if (cell.is_infinite()) return std::numeric_limits<double>::infinity();
+  auto corners = cell.vertex;
+  sort_corners(corners);
+  const auto at = [&](unsigned i) { return triangulation_->point(corners[i]); };
+  return squared_circumradius({at(0), at(1), at(2), at(3)}, scale_);
 }
 
-void Circumspheres::add_cells(const Triangulation3& triangulation,
-                              std::size_t first, std::size_t n) {
-  std::array<Corners, kLanes> corners;
-  std::array<Vector<Lanes>, 4> v;
-  for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    const std::size_t cell = first + std::min(lane, n - 1);
-    corners[lane] = sorted_corners(triangulation.cells()[cell]);
-    for (unsigned k = 0; k < 4; ++k) {
-      const Point3& p = triangulation.point(corners[lane][k].vertex());
-      for (unsigned i = 0; i < 3; ++i)
-        v[k][i][static_cast<Eigen::Index>(lane)] = scale_ * p[i];
+void Circumspheres::measure(std::span<const Facet> facets,
+                            std::span<FacetRadii> radii) const {
+  for (std::size_t first = 0; first < facets.size(); first += kLanes) {
+    const std::size_t n = std::min(facets.size() - first, kLanes);
+    std::array<FacetView, kLanes> views;
+    std::array<Vector<Lanes>, 4> v;
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      const Facet facet = facets[first + std::min(lane, n - 1)];
+      views[lane] = FacetView(*triangulation_, facet);
+      for (unsigned k = 0; k < 4; ++k)
+        for (unsigned i = 0; i < 3; ++i)
+          v[k][i][static_cast<Eigen::Index>(lane)] =
+              scale_ * (*views[lane].points[k])[i];
     }
+    const Geometry geometry(v);
+    for (std::size_t lane = 0; lane < n; ++lane)
+      radii[first + lane] = radii_of(views[lane], geometry, lane, scale_);
   }
-  const Geometry geometry = measure(v);
-  for (std::size_t lane = 0; lane < n; ++lane) {
-    const auto l = static_cast<Eigen::Index>(lane);
-    const Cell& cell = triangulation.cells()[first + lane];
-    squared_radius_[first + lane] =
-        geometry.is_fat[l] ? geometry.squared_radius[l]
-                           : refined(triangulation, corners[lane], scale_);
-    apex_outside_[first + lane] = static_cast<std::uint8_t>(
-        apexes_outside(triangulation, cell, corners[lane], geometry, l));
-  }
+}
+
+bool Circumspheres::is_gabriel_exact(Facet f) const {
+  return apex_outside_diametral_ball(f) &&
+         apex_outside_diametral_ball(
+             triangulation_->cell(f.cell()).neighbor[f.index()]);
+}
+
+bool Circumspheres::apex_outside_diametral_ball(Facet f) const {
+  const Cell& cell = triangulation_->cell(f.cell());
+  if (cell.is_infinite()) return true;
+  const auto at = [&](unsigned i) {
+    return triangulation_->point(cell.vertex[i]).data();
+  };
+  const auto& corners = kFacetCorners[f.index()];
+  return predicates::gabriel_triangle(at(corners[0]), at(corners[1]),
+                                      at(corners[2]), at(f.index())) >= 0;
 }
 
 }  // namespace umbrella

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <queue>
 
+#include "umbrella/cycle_check_internal.h"
 #include "umbrella/disjoint_sets_internal.h"
 #include "umbrella/link_graph_internal.h"
 
@@ -24,6 +25,7 @@ class CleanUp {
                    [&](TriangleIndex t) -> const Triangle& {
                      return triangles[t].corners;
                    }),
+        cycle_(n_vertices),
         graph_(n_vertices),
         fate_(triangles.size(), Fate::Alive),
         type3_corners_(triangles.size()),
@@ -50,18 +52,22 @@ class CleanUp {
   }
   std::uint8_t corner_bit(TriangleIndex t, VertexId v) const {
     const Triangle& corners = triangles_[t].corners;
-    return corners[0] == v ? 1 : corners[1] == v ? 2 : 4;
+    return static_cast<std::uint8_t>((corners[0] == v ? 1U : 0U) |
+                                     (corners[1] == v ? 2U : 0U) |
+                                     (corners[2] == v ? 4U : 0U));
   }
   std::uint8_t without_corner(TriangleIndex t, VertexId v) const {
     return static_cast<std::uint8_t>(type3_corners_[t] & ~corner_bit(t, v));
   }
   void classify(VertexId v, std::vector<TriangleIndex>& type2);
+  void classify_in_full(VertexId v, std::vector<TriangleIndex>& type2);
   std::vector<TriangleIndex> worst_type3();
   std::vector<VertexId> delete_all(std::span<const TriangleIndex> doomed,
                                    Fate fate);
 
   std::span<const RankedTriangle> triangles_;
   Incidence incidence_;
+  CycleCheck cycle_;
   LinkGraph graph_;
   std::vector<Fate> fate_;
   std::vector<std::uint8_t> type3_corners_;  // bit i: of type 3 at corner i
@@ -89,14 +95,23 @@ void CleanUp::delete_types_2_and_3() {
 /// 2, alive until the round ends.
 void CleanUp::classify(VertexId v, std::vector<TriangleIndex>& type2) {
   is_dirty_[index(v)] = false;
-  graph_.clear();
   alive_at_v_.clear();
+  cycle_.clear();
   for (const TriangleIndex t : incidence_.at(v)) {
     if (fate_[t] != Fate::Alive) continue;
     alive_at_v_.push_back(t);
     type3_corners_[t] = without_corner(t, v);
-    graph_.add(opposite_edge(triangles_[t].corners, v));
+    cycle_.add(opposite_edge(triangles_[t].corners, v));
   }
+  has_umbrella_[index(v)] = cycle_.is_cycle();
+  if (!has_umbrella_[index(v)]) classify_in_full(v, type2);
+}
+
+/// The same where the triangles at v, all in alive_at_v_, are not one umbrella.
+void CleanUp::classify_in_full(VertexId v, std::vector<TriangleIndex>& type2) {
+  graph_.clear();
+  for (const TriangleIndex t : alive_at_v_)
+    graph_.add(opposite_edge(triangles_[t].corners, v));
   has_umbrella_[index(v)] = graph_.has_cycle();
   if (!graph_.has_cycle()) return;
 
@@ -167,6 +182,10 @@ void CleanUp::dissolve_pieces(std::size_t largest) {
 
 CleanUpResult CleanUp::result() const {
   CleanUpResult result;
+  const auto n_alive = static_cast<std::size_t>(
+      std::count(fate_.begin(), fate_.end(), Fate::Alive));
+  result.triangles.reserve(n_alive);
+  result.deleted.reserve(triangles_.size() - n_alive);
   for (TriangleIndex t = 0; t < triangles_.size(); ++t) {
     const bool is_alive = fate_[t] == Fate::Alive;
     (is_alive ? result.triangles : result.deleted).push_back(triangles_[t]);

@@ -1,21 +1,21 @@
-// Each region is first solved as it is: regions share no free triangle, so
-// their order matters only to pieces that several of them close together.
+// Each region is first solved as it is, on several threads: regions share no
+// free triangle, but several of them may close a small piece together. So they
+// are accepted one after another, and solved again where that shows.
 // Those without a solution are then grown, one after another, around the
 // constraints that contradict each other; points are left out last.
 #include "umbrella/closing.h"
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <optional>
+#include <thread>
 
+#include "umbrella/cell_labels.h"
 #include "umbrella/region_solver_internal.h"
 
 namespace umbrella {
 namespace {
-
-/// What making a program costs, in propagations: 6 us a variable where one
-/// propagation takes about 1 us (a region of 22000 vertices of a noisy scan).
-constexpr std::uint64_t kStepsPerVariable = 6;
 
 class Closing {
  public:
@@ -25,7 +25,9 @@ class Closing {
       : options_(options),
         surface_(triangulation.points().size(), cleaned),
         is_open_(triangulation.points().size()),
-        solver_(triangulation, options, surface_, is_open_) {}
+        triangulation_(triangulation),
+        solver_(triangulation, options, surface_, is_open_),
+        is_undecided_(triangulation.points().size()) {}
 
   ClosingResult run(std::span<const Hole> holes);
 
@@ -43,24 +45,39 @@ class Closing {
     std::vector<VertexId> stuck;   // of all contradictions met
     std::optional<Banned> banned;  // first attempt that closed small pieces
     std::size_t n_regions = 1;     // with those swallowed
+    Effort effort = {};
+    bool has_hit_limit = false;
   };
 
   void solve_as_given(std::vector<Region> regions);
+  std::vector<Attempt> attempts(std::span<const Region> regions,
+                                std::vector<Effort>& efforts);
+  Effort effort_for(const Region& region) const {
+    return {options_.conflicts,
+            options_.propagations +
+                options_.propagations_per_vertex * region.vertices.size()};
+  }
   void repair(Task task);
+  void find_stuck(Task& task);
   bool grow(Task& task);
-  bool attempt(Task& task, Region& region,
-               std::span<const VertexId> may_drop = {});
+  bool attempt(Task& task, Region& region, bool accept_drops);
   void note(Task& task, const Region& region) const;
   bool allow_pieces(Task& task);
   bool drop_points(Task& task);
   void swallow(Task& task, Region& region);
   void accept(const Attempt& solved);
+  void give_up(const Task& task);
+  void label_cells();
+  void list_dropped(std::vector<VertexId> dropped);
 
   const ClosingOptions& options_;
   WorkingSurface surface_;
   std::vector<bool> is_open_;  // vertices of regions not yet closed
+  const delaunay::Triangulation3& triangulation_;
   RegionSolver solver_;
   std::vector<Task> tasks_;  // regions that have no solution as given
+  std::vector<VertexId> dropped_;
+  std::vector<bool> is_undecided_;  // vertices of regions given up at a limit
   ClosingResult result_;
 };
 
@@ -79,12 +96,12 @@ ClosingResult Closing::run(std::span<const Hole> holes) {
       repair(std::move(task));
     }
   }
-  for (const Task& task : tasks_)
-    ++(task.last.outcome == Outcome::Infeasible ? result_.report.infeasible
-                                                : result_.report.undecided);
+  for (const Task& task : tasks_) give_up(task);
+  result_.report.conflicts += solver_.conflicts();
   result_.triangles = surface_.sorted();
-  result_.report.conflicts = solver_.conflicts();
-  std::sort(result_.dropped.begin(), result_.dropped.end());
+  std::sort(dropped_.begin(), dropped_.end());
+  if (options_.mode == CloseMode::Best && options_.drop_points) label_cells();
+  list_dropped(dropped_);
   return std::move(result_);
 }
 
@@ -96,29 +113,83 @@ void Closing::solve_as_given(std::vector<Region> regions) {
         std::max(report.largest_region_vertices, region.vertices.size());
     for (const VertexId v : region.vertices) is_open_[index(v)] = true;
   }
-  for (Region& region : regions) {
-    Attempt attempt = solver_.attempt(region);
+  std::vector<Effort> efforts;
+  for (const Region& region : regions) efforts.push_back(effort_for(region));
+  std::vector<Attempt> first = attempts(regions, efforts);
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    Attempt& attempt = first[i];
     report.candidate_triangles += attempt.n_candidates;
     report.variables += attempt.n_variables;
+    if (attempt.outcome == Outcome::Solved &&
+        solver_.closes_small_piece(attempt))
+      attempt = solver_.attempt(regions[i], efforts[i]);
     if (attempt.outcome == Outcome::Solved) {
       accept(attempt);
       ++report.feasible;
     } else {
-      tasks_.push_back({std::move(region), std::move(attempt), {}, {}, 1});
+      tasks_.push_back({std::move(regions[i]),
+                        std::move(attempt),
+                        {},
+                        {},
+                        1,
+                        efforts[i],
+                        false});
       note(tasks_.back(), tasks_.back().region);
     }
   }
 }
 
-void Closing::repair(Task task) {
-  const Outcome as_given = task.last.outcome;
-  if (grow(task) || allow_pieces(task) || drop_points(task)) {
-    result_.report.grown += task.n_regions;
-    return;
+/// Each region on the surface as it is now, whatever the others do: they share
+/// no triangle but for the pieces that they close together.
+std::vector<Attempt> Closing::attempts(std::span<const Region> regions,
+                                       std::vector<Effort>& efforts) {
+  std::vector<Attempt> result(regions.size());
+  std::atomic<std::size_t> next = 0;
+  std::atomic<std::uint64_t> conflicts = 0;
+  const auto work = [&](RegionSolver& solver) {
+    for (std::size_t i = next++; i < regions.size(); i = next++)
+      result[i] = solver.attempt(regions[i], efforts[i]);
+  };
+  {
+    std::vector<std::jthread> others;
+    const std::size_t n =
+        std::min<std::size_t>(options_.threads, regions.size());
+    for (std::size_t k = 1; k < n; ++k)
+      others.emplace_back([&] {
+        RegionSolver solver(triangulation_, options_, surface_, is_open_);
+        work(solver);
+        conflicts += solver.conflicts();
+      });
+    work(solver_);
   }
-  (as_given == Outcome::Infeasible ? result_.report.infeasible
-                                   : result_.report.undecided) +=
+  result_.report.conflicts = conflicts;
+  return result;
+}
+
+void Closing::repair(Task task) {
+  find_stuck(task);
+  if (grow(task) || allow_pieces(task) || drop_points(task))
+    result_.report.grown += task.n_regions;
+  else
+    give_up(task);
+}
+
+void Closing::give_up(const Task& task) {
+  (task.has_hit_limit ? result_.report.undecided : result_.report.infeasible) +=
       task.n_regions;
+  if (task.has_hit_limit)
+    for (const VertexId v : task.region.vertices)
+      is_undecided_[index(v)] = true;
+}
+
+/// All contradictions of the region as it is, where the first attempt has met
+/// only one.
+void Closing::find_stuck(Task& task) {
+  if (task.last.outcome != Outcome::Infeasible) return;
+  const Attempt all = solver_.attempt(
+      task.region, task.effort,
+      {.may_drop = task.region.vertices, .accept_drops = false});
+  task.stuck = united(task.stuck, all.stuck);
 }
 
 /// Around what contradicts itself: all Delaunay triangles with two corners
@@ -135,7 +206,7 @@ bool Closing::grow(Task& task) {
       if (reach == 3)
         region.vertices =
             united(region.vertices, solver_.neighborhoods().ring(task.stuck));
-      if (attempt(task, region)) return true;
+      if (attempt(task, region, false)) return true;
       if (task.last.outcome == Outcome::Undecided) return false;
     }
   }
@@ -143,18 +214,18 @@ bool Closing::grow(Task& task) {
 }
 
 /// Tries a region that holds task.region, and keeps what can be learned.
-bool Closing::attempt(Task& task, Region& region,
-                      std::span<const VertexId> may_drop) {
-  if (solver_.is_spent()) {
+bool Closing::attempt(Task& task, Region& region, bool accept_drops) {
+  if (task.effort.is_spent() || solver_.is_stopped()) {
     task.last.outcome = Outcome::Undecided;
+    task.has_hit_limit = true;
     return false;
   }
   swallow(task, region);
-  if (may_drop.empty() &&
-      solver_.n_candidates(region) == task.last.n_candidates)
+  if (!accept_drops && solver_.n_candidates(region) == task.last.n_candidates)
     return false;
-  task.last = solver_.attempt(region, may_drop);
-  solver_.charge(kStepsPerVariable * task.last.n_variables);
+  task.last = solver_.attempt(
+      region, task.effort,
+      {.may_drop = region.vertices, .accept_drops = accept_drops});
   if (task.last.outcome == Outcome::Solved) {
     accept(task.last);
     return true;
@@ -164,6 +235,7 @@ bool Closing::attempt(Task& task, Region& region,
 }
 
 void Closing::note(Task& task, const Region& region) const {
+  if (task.last.outcome == Outcome::Undecided) task.has_hit_limit = true;
   task.stuck = united(task.stuck, task.last.stuck);
   if (task.last.outcome == Outcome::Banned && !task.banned)
     task.banned = Banned{region, task.last, task.n_regions};
@@ -213,7 +285,7 @@ bool Closing::allow_pieces(Task& task) {
                                                            b.n_triangles
                                                      : a.vertices > b.vertices;
                                         }));
-    last = solver_.attempt(region, {}, allowed);
+    last = solver_.attempt(region, task.effort, {.allowed = allowed});
     is_current = true;
   }
   if (last.outcome != Outcome::Solved && last.outcome != Outcome::Banned)
@@ -222,20 +294,22 @@ bool Closing::allow_pieces(Task& task) {
   return true;
 }
 
-/// Lets vertices of the contradictions stay bare, in a region that grows around
-/// them; then all vertices of the region that no fixed triangle needs.
+/// Lets vertices stay bare that no fixed triangle needs, in a region that grows
+/// around the contradictions.
 bool Closing::drop_points(Task& task) {
-  constexpr int kRounds = 8, kStuckOnly = 4;
+  constexpr int kRounds = 4;
   if (!options_.drop_points) return false;
+  task.effort = effort_for(task.region);
   Region region = task.region;
   for (int round = 0; round < kRounds; ++round) {
-    const std::vector<VertexId> may_drop =
-        round < kStuckOnly ? task.stuck : region.vertices;
-    if (!may_drop.empty() && attempt(task, region, may_drop)) return true;
+    if (attempt(task, region, true)) {
+      if (task.has_hit_limit)
+        for (const VertexId v : task.last.dropped)
+          is_undecided_[index(v)] = true;
+      return true;
+    }
     region.vertices =
         united(region.vertices, solver_.neighborhoods().ring(task.stuck));
-    if (task.last.outcome == Outcome::Undecided)
-      round = std::max(round, kStuckOnly - 1);
   }
   return false;
 }
@@ -244,8 +318,29 @@ void Closing::accept(const Attempt& solved) {
   for (const TriangleIndex t : solved.freed) surface_.remove(t);
   for (const LocatedTriangle& t : solved.chosen) surface_.add(t);
   for (const VertexId v : solved.vertices) is_open_[index(v)] = false;
-  result_.dropped.insert(result_.dropped.end(), solved.dropped.begin(),
-                         solved.dropped.end());
+  dropped_.insert(dropped_.end(), solved.dropped.begin(), solved.dropped.end());
+}
+
+/// Closes what is still open, and brings in points that were left out.
+void Closing::label_cells() {
+  const ClosingReport& report = result_.report;
+  result_.report.labelled = report.infeasible + report.undecided;
+  if (report.labelled == 0 && dropped_.empty()) return;
+  std::vector<VertexId> open;
+  for (std::size_t v = 0; v < is_open_.size(); ++v)
+    if (is_open_[v]) open.push_back(VertexId{static_cast<std::uint32_t>(v)});
+  CellLabelResult labelled = close_by_cell_labels(
+      triangulation_, result_.triangles, open,
+      {options_.weight, options_.piece_triangles, options_.stop});
+  result_.triangles = std::move(labelled.triangles);
+  dropped_ = std::move(labelled.left_out);
+}
+
+void Closing::list_dropped(std::vector<VertexId> dropped) {
+  for (const VertexId v : dropped)
+    result_.reasons.push_back(is_undecided_[index(v)] ? DropReason::Limit
+                                                      : DropReason::NoSolution);
+  result_.dropped = std::move(dropped);
 }
 
 }  // namespace

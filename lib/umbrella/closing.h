@@ -3,6 +3,7 @@
 /// region [Adamy02, Sec. 3.2].
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -21,24 +22,44 @@ enum class CloseMode {
 };
 
 /// What makes a triangle the worse in CloseMode::Best: the larger, the worse.
-enum class CloseWeight { Circumradius, LambdaLower, Area };
+enum class CloseWeight {
+  BallOverlap,  ///< how deep the circumballs of its two cells cut each other
+  Circumradius,
+  LambdaLower,
+  Area
+};
 
 struct ClosingOptions {
   CloseMode mode = CloseMode::Best;
-  CloseWeight weight = CloseWeight::Circumradius;
-  /// Effort for all programs together, the same on every run. Each may take
-  /// half of what is left, so that a hard region leaves some to the others.
-  std::uint64_t conflicts = 240'000;
-  std::uint64_t propagations = 8'000'000;
+  CloseWeight weight = CloseWeight::BallOverlap;
+  /// Effort for each region and all that it grows to: so many conflicts, and
+  /// so many propagations, with more for each vertex. The same on every run.
+  /// Each program may take half of what is left.
+  std::uint64_t conflicts = 60'000;
+  std::uint64_t propagations = 4'000'000;
+  std::uint64_t propagations_per_vertex = 300;
   /// Wall clock for all regions together; a limit that is hit makes the
   /// result depend on the machine.
   double seconds = std::numeric_limits<double>::infinity();
+  /// The closing ends soon after this becomes true; may be set by any thread or
+  /// by a signal handler. Regions open by then count as undecided.
+  const std::atomic<bool>* stop = nullptr;
   /// Closed pieces of at most max(piece_triangles, piece_part * 2 n) triangles
   /// are cut off as long as some other solution exists.
   std::size_t piece_triangles = 12;
   double piece_part = 0.02;
-  /// Whether points may be left out where nothing else helps.
+  /// Regions are solved on so many threads, with the same result for any
+  /// number; what has no solution as it is grows on one.
+  unsigned threads = 1;
+  /// Whether points may be left out where nothing else helps. Then the surface
+  /// is closed whatever happens, in the end by cell_labels.h.
   bool drop_points = true;
+};
+
+/// Why a point is not on the surface.
+enum class DropReason {
+  NoSolution,  ///< the programs around it have none with all points
+  Limit        ///< not known: a limit came first
 };
 
 struct ClosingReport {
@@ -47,15 +68,17 @@ struct ClosingReport {
   std::size_t candidate_triangles = 0;
   std::size_t variables = 0;
   std::size_t feasible = 0;    ///< regions closed
-  std::size_t infeasible = 0;  ///< regions proven to have no solution as given
+  std::size_t infeasible = 0;  ///< regions without, as far as they may grow
   std::size_t undecided = 0;   ///< regions given up at a limit
   std::size_t grown = 0;       ///< regions closed after growing
+  std::size_t labelled = 0;    ///< of those given up, closed by cell labels
   std::uint64_t conflicts = 0;
 };
 
 struct ClosingResult {
   std::vector<LocatedTriangle> triangles;  ///< by ascending corners
   std::vector<VertexId> dropped;           ///< left out to close, ascending
+  std::vector<DropReason> reasons;         ///< of dropped
   ClosingReport report;
 };
 

@@ -28,6 +28,11 @@ class ClosingProgram {
                  std::span<const VertexId> vertices,
                  std::span<const VertexId> may_drop);
 
+  /// Says in addition that the candidates part inside from outside.
+  void add_sides(std::span<const ilp::Wall> walls) {
+    if (!walls.empty()) problem_.add_sides(walls);
+  }
+
   const ilp::Problem& problem() const { return problem_; }
   std::size_t n_candidates() const { return n_candidates_; }
   /// Corners of candidates and the region's vertices; ascending.

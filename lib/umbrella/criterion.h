@@ -12,6 +12,7 @@
 ///   const auto ranked = ranked_triangles(triangulation, ShortestFirst{});
 #pragma once
 
+#include <array>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -22,7 +23,9 @@
 
 #include "umbrella/circumspheres.h"
 #include "umbrella/delaunay_triangle.h"
+#include "umbrella/exact_order.h"
 #include "umbrella/exact_ratio.h"
+#include "umbrella/facets.h"
 #include "umbrella/triangle.h"
 
 namespace umbrella {
@@ -33,20 +36,14 @@ concept Criterion = requires(const C& c, const DelaunayTriangle& t) {
   { c.rank(t) } -> std::convertible_to<Rank>;
 };
 
-/// A criterion whose rank() is good to a part of kNearTie only, and which can
-/// say it exactly. Triangles whose ranks differ by less are asked for
-/// nearest_rank(), rounded once, and where that is the same for
-/// exact_rank(): so the order is the one of exact_rank(). Ranks must not be
-/// negative, and a primary of zero must be exact.
+/// A criterion whose rank() is good to a part of kNearTie / 2 only, and which
+/// can say it exactly: the order is then the one of exact_rank(). Ranks must
+/// not be negative, and a primary of zero must be exact.
 template <class C>
 concept ExactCriterion = Criterion<C> &&
     requires(const C& c, const DelaunayTriangle& t) {
-  { c.nearest_rank(t) } -> std::convertible_to<Rank>;
   { c.exact_rank(t) } -> std::convertible_to<ExactRank>;
 };
-
-/// Twice what rank() of an ExactCriterion may be off by, relatively.
-inline constexpr double kNearTie = 0x1p-28;
 
 /// The paper's: Gabriel triangles, by the lower bound of the lambda-interval.
 /// All hull triangles tie at 0 there; the smaller circumradius then goes
@@ -54,8 +51,7 @@ inline constexpr double kNearTie = 0x1p-28;
 struct PaperCriterion {
   bool admissible(const DelaunayTriangle& t) const { return t.is_gabriel(); }
   Rank rank(const DelaunayTriangle& t) const {
-    const double r2 = t.squared_circumradius();
-    return {t.squared_lambda_lower(r2), r2};
+    return {t.squared_lambda_lower(), t.squared_circumradius()};
   }
   Rank nearest_rank(const DelaunayTriangle& t) const {
     return {t.exact_squared_lambda_lower(), t.exact_squared_circumradius()};
@@ -65,26 +61,13 @@ struct PaperCriterion {
   }
 };
 
-/// Positions of the triangles whose ranks are too close to another's to trust.
-std::vector<std::uint32_t> near_ties(std::span<const RankedTriangle> triangles);
-
-/// Orders triangles whose ranks are equal, or may be for their primaries
-/// are, as `exact` does: their secondary ranks become consecutive numbers,
-/// the same for the same exact rank.
-///
-/// @param ties  near_ties(triangles), with the ranks there rounded once
-void break_ties(std::vector<RankedTriangle>& triangles,
-                std::vector<std::uint32_t> ties,
-                const std::function<ExactRank(delaunay::Facet)>& exact);
-
 void sort_by_corners(std::vector<RankedTriangle>& triangles);
 
 /// Gabriel triangles, the smaller circumradius first: sizes, not shapes.
 struct CircumradiusCriterion {
   bool admissible(const DelaunayTriangle& t) const { return t.is_gabriel(); }
   Rank rank(const DelaunayTriangle& t) const {
-    const double r2 = t.squared_circumradius();
-    return {r2, t.squared_lambda_lower(r2)};
+    return {t.squared_circumradius(), t.squared_lambda_lower()};
   }
   Rank nearest_rank(const DelaunayTriangle& t) const {
     return {t.exact_squared_circumradius(), t.exact_squared_lambda_lower()};
@@ -94,35 +77,36 @@ struct CircumradiusCriterion {
   }
 };
 
-/// Each triangle of the triangulation once, as the facet it is in the cell with
-/// the smaller id.
-std::vector<delaunay::Facet> facets(
-    const delaunay::Triangulation3& triangulation);
-
 /// All triangles of the triangulation that the criterion admits, by ascending
 /// corners. Depends on the set of points alone if the criterion does.
 template <Criterion C = PaperCriterion>
 std::vector<RankedTriangle> ranked_triangles(
     const delaunay::Triangulation3& triangulation, const Circumspheres& spheres,
     const C& criterion = {}) {
+  const auto triangle = [&](delaunay::Facet facet) {
+    return DelaunayTriangle(triangulation, spheres, facet);
+  };
   std::vector<RankedTriangle> triangles;
   triangles.reserve(triangulation.n_finite_cells() / 2);
-  for (const delaunay::Facet facet : facets(triangulation)) {
-    const DelaunayTriangle t(triangulation, spheres, facet);
-    if (criterion.admissible(t))
-      triangles.push_back({t.corners(), facet, criterion.rank(t)});
+  FacetBlocks blocks(triangulation);
+  std::array<FacetRadii, FacetBlocks::kLargest> radii;
+  for (auto block = blocks.next(); !block.empty(); block = blocks.next()) {
+    std::size_t n = 0;
+    for (const delaunay::Facet facet : block) {
+      // Written always and kept or not: which it is, no processor can guess.
+      block[n] = facet;
+      n += static_cast<std::size_t>(criterion.admissible(triangle(facet)));
+    }
+    spheres.measure(block.first(n), std::span(radii).first(n));
+    for (std::size_t i = 0; i < n; ++i) {
+      const DelaunayTriangle t(triangulation, spheres, block[i], &radii[i]);
+      triangles.push_back({t.corners(), block[i], criterion.rank(t)});
+    }
   }
-  if constexpr (ExactCriterion<C>) {
-    const auto triangle = [&](delaunay::Facet facet) {
-      return DelaunayTriangle(triangulation, spheres, facet);
-    };
-    std::vector<std::uint32_t> ties = near_ties(triangles);
-    for (const std::uint32_t i : ties)
-      triangles[i].rank = criterion.nearest_rank(triangle(triangles[i].facet));
-    break_ties(triangles, std::move(ties), [&](delaunay::Facet facet) {
+  if constexpr (ExactCriterion<C>)
+    order_exactly(triangles, [&](delaunay::Facet facet) {
       return criterion.exact_rank(triangle(facet));
     });
-  }
   sort_by_corners(triangles);
   return triangles;
 }

@@ -5,11 +5,14 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "delaunay/triangulation2.h"
+#include "umbrella/curve_auto.h"
 #include "umbrella/curve_closing.h"
+#include "umbrella/curve_tour.h"
 
 namespace umbrella {
 
@@ -21,9 +24,19 @@ namespace umbrella {
 std::vector<Edge> as_oriented_curves(const delaunay::Triangulation2& vertices,
                                      std::span<const Edge> edges);
 
+enum class CurveMode {
+  Auto,    ///< closed or open, as the sample says: auto_curves()
+  Paper,   ///< what the filter picks, as printed
+  Closed,  ///< all points on closed curves: close_curve()
+  Open,    ///< auto_curves() with gaps of four times the spacing
+  Tour,    ///< one closed curve of least length: shortest_tour()
+  Mutual   ///< what both ends pick, no more: for samples with outliers
+};
+
 struct CurveOptions {
-  bool close = true;  ///< else what the filter picks is the result
+  CurveMode mode = CurveMode::Auto;
   CurveClosingOptions closing = {};
+  TourOptions tour = {};
 };
 
 /// The counts of the report, under its names.
@@ -52,8 +65,10 @@ struct CurveReconstruction {
   std::vector<std::array<std::uint32_t, 2>> edges;
   std::vector<double> lambda;  ///< lower bound of each edge
   CurveCounts counts;
-  CurveClosingReport closing;
-  /// Distinct points without two edges after closing, ascending.
+  CurveClosingReport closing;              ///< of CurveMode::Closed
+  std::optional<CurveAutoReport> descent;  ///< of Auto and Open
+  std::optional<TourResult> tour;          ///< of Tour; edges left out
+  /// Distinct points without two edges, ascending.
   std::vector<std::uint32_t> open_rows;
   CurveSeconds seconds;
 };

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "umbrella/circumradius_internal.h"
 
@@ -10,14 +11,14 @@ namespace umbrella {
 
 using delaunay::Cell;
 
-bool DelaunayTriangle::on_hull() const {
-  return triangulation_->cell(facet_.cell()).is_infinite() ||
-         triangulation_->cell(opposite().cell()).is_infinite();
+std::array<bool, 2> DelaunayTriangle::beyond_hull() const {
+  return {triangulation_->cell(facet_.cell()).is_infinite(),
+          triangulation_->cell(opposite().cell()).is_infinite()};
 }
 
 LambdaInterval DelaunayTriangle::lambda() const {
   const double r2 = squared_circumradius();
-  const double lower = std::sqrt(squared_lambda_lower(r2));
+  const double lower = std::sqrt(squared_lambda_lower());
   if (is_gabriel()) return {lower, 1};
   const double smallest = std::min(spheres_->squared_radius(facet_.cell()),
                                    spheres_->squared_radius(opposite().cell()));
@@ -28,11 +29,35 @@ LambdaInterval DelaunayTriangle::lambda() const {
   return {lower, std::min(std::sqrt(upper2), 1.0)};
 }
 
-double DelaunayTriangle::squared_circumradius() const {
-  const auto [a, b, c] = corners();
-  return umbrella::squared_circumradius(
-      triangulation_->point(a), triangulation_->point(b),
-      triangulation_->point(c), spheres_->scale());
+std::array<double, 2> DelaunayTriangle::squared_lambdas() const {
+  const double r2 = squared_circumradius();
+  const auto towards = [&](delaunay::Facet side) {
+    const double R2 = spheres_->squared_radius(side.cell());
+    return is_safe_quotient(r2, R2) ? std::min(r2 / R2, 1.0)
+                                    : exact_squared_lambda(side);
+  };
+  return {towards(facet_), towards(opposite())};
+}
+
+std::array<double, 2> DelaunayTriangle::exact_squared_lambdas() const {
+  return {exact_squared_lambda(facet_), exact_squared_lambda(opposite())};
+}
+
+std::array<double, 2> DelaunayTriangle::exact_squared_cell_radii() const {
+  const auto of = [&](delaunay::Facet side) {
+    return triangulation_->cell(side.cell()).is_infinite()
+               ? std::numeric_limits<double>::infinity()
+               : umbrella::exact_squared_circumradius(corners_of(side),
+                                                      spheres_->scale());
+  };
+  return {of(facet_), of(opposite())};
+}
+
+double DelaunayTriangle::squared_area() const {
+  const auto [a, b, c] = points();
+  const auto n = cross(scaled_difference(b, a, spheres_->scale()),
+                       scaled_difference(c, a, spheres_->scale()));
+  return dot(n, n) / 4;
 }
 
 double DelaunayTriangle::exact_squared_lambda_lower() const {
@@ -56,6 +81,8 @@ double DelaunayTriangle::exact_squared_lambda(delaunay::Facet side) const {
 
 ExactRatio DelaunayTriangle::squared_lambda_lower_ratio() const {
   if (on_hull()) return {};
+  if (const auto side = spheres_->larger_side(facet_))
+    return squared_lambda_ratio(corners_of(*side));
   const ExactRatio here = squared_lambda_ratio(corners_of(facet_));
   const ExactRatio there = squared_lambda_ratio(corners_of(opposite()));
   return compare(here, there) <= 0 ? here : there;

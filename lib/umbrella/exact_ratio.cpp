@@ -15,11 +15,15 @@ namespace umbrella {
 
 using delaunay::Point3;
 
+/// Along the axes.
+using Extent = std::array<double, 3>;
+
 struct ExactRatio::Large {
   Enclosure enclosure;
   std::function<WholeFraction()> evaluate;
   std::optional<WholeFraction> whole;
   Origin origin;
+  std::array<Extent, 6> extents;
 };
 
 namespace {
@@ -52,8 +56,8 @@ int compare(const Enclosure& a, const Enclosure& b) {
 
 /// The absolute coordinates of p - q; NaN, which equals nothing, where they
 /// are rounded.
-std::array<double, 3> extent(const Point3& p, const Point3& q) {
-  std::array<double, 3> result{};
+Extent extent(const Point3& p, const Point3& q) {
+  Extent result{};
   for (unsigned i = 0; i < 3; ++i) {
     const auto d = DoubleDouble::difference(p[i], q[i]);
     result[i] =
@@ -62,20 +66,30 @@ std::array<double, 3> extent(const Point3& p, const Point3& q) {
   return result;
 }
 
+/// Of each edge between two points: those of the first three, then to the last.
+std::array<Extent, 6> extents(const std::array<Point3, 4>& p) {
+  return {extent(p[0], p[1]), extent(p[0], p[2]), extent(p[1], p[2]),
+          extent(p[0], p[3]), extent(p[1], p[3]), extent(p[2], p[3])};
+}
+
 /// Whether b is a moved or mirrored copy of a along the axes, as quantised
 /// scans have many. May miss some.
-bool are_copies(const Origin& a, const Origin& b) {
-  std::array<unsigned, 4> order = {0, 1, 2, 3};
-  const unsigned n = a.circle_only ? 3 : 4;
-  do {
-    bool match = true;
-    for (unsigned i = 1; i < n && match; ++i)
-      for (unsigned k = 0; k < i && match; ++k)
-        match = extent(a.points[i], a.points[k]) ==
-                extent(b.points[order[i]], b.points[order[k]]);
-    if (match) return true;
-  } while (std::next_permutation(order.begin(), order.begin() + 3));
-  return false;
+bool are_copies(const std::array<Extent, 6>& a, const std::array<Extent, 6>& b,
+                bool circle_only) {
+  // Edges of a copy whose first three points are taken in another order.
+  static constexpr std::array<std::array<unsigned, 6>, 6> kOrders = {
+      {{0, 1, 2, 3, 4, 5},
+       {1, 0, 2, 3, 5, 4},
+       {0, 2, 1, 4, 3, 5},
+       {2, 0, 1, 4, 5, 3},
+       {1, 2, 0, 5, 3, 4},
+       {2, 1, 0, 5, 4, 3}}};
+  const unsigned n = circle_only ? 3 : 6;
+  return std::any_of(kOrders.begin(), kOrders.end(), [&](const auto& order) {
+    for (unsigned i = 0; i < n; ++i)
+      if (a[i] != b[order[i]]) return false;
+    return true;
+  });
 }
 
 /// Whether both circles and both spheres are the same, as at the rectangles of
@@ -98,8 +112,16 @@ ExactRatio::ExactRatio(const Enclosure& enclosure,
                        std::function<WholeFraction()> evaluate, int exponent,
                        const Origin& origin)
     : exponent_(exponent),
-      large_(std::make_shared<Large>(
-          Large{enclosure, std::move(evaluate), std::nullopt, origin})) {}
+      large_(std::make_shared<Large>(Large{enclosure, std::move(evaluate),
+                                           std::nullopt, origin,
+                                           extents(origin.points)})) {}
+
+std::pair<double, double> ExactRatio::estimate() const {
+  if (large_) return {large_->enclosure.hi, large_->enclosure.lo};
+  return {
+      std::ldexp(static_cast<double>(n_) / static_cast<double>(d_), exponent_),
+      0};
+}
 
 WholeFraction ExactRatio::whole() const {
   if (!large_)
@@ -125,12 +147,17 @@ int compare(const ExactRatio& a, const ExactRatio& b) {
     // points is far quicker than to compare them.
     const Origin& x = a.large_->origin;
     const Origin& y = b.large_->origin;
-    if (x.circle_only == y.circle_only && (are_copies(x, y) || are_same(x, y)))
+    if (x.circle_only == y.circle_only &&
+        (are_copies(a.large_->extents, b.large_->extents, x.circle_only) ||
+         are_same(x, y)))
       return 0;
   }
   const WholeFraction x = a.whole(), y = b.whole();
-  return sign(x.numerator * y.denominator * power_of_two(shift) -
-              y.numerator * x.denominator * power_of_two(-shift));
+  BigInteger left = x.numerator * y.denominator;
+  BigInteger right = y.numerator * x.denominator;
+  if (shift > 0) left = left * power_of_two(shift);
+  if (shift < 0) right = right * power_of_two(-shift);
+  return sign(left - right);
 }
 
 }  // namespace umbrella

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <utility>
 
 #include "delaunay/triangulation3.h"
 
@@ -41,6 +42,10 @@ class ExactRatio {
   ExactRatio(const Enclosure& enclosure,
              std::function<WholeFraction()> evaluate, int exponent,
              const Origin& origin);
+
+  /// Near the number, if anything is known without much work: numbers of which
+  /// the one is well above the other have estimates in that order.
+  std::pair<double, double> estimate() const;
 
   /// Negative, zero or positive as a is less than, equal to or more than b.
   friend int compare(const ExactRatio& a, const ExactRatio& b);

@@ -19,9 +19,7 @@ using TriangleIndex = std::uint32_t;
 using LinkEdge = std::array<VertexId, 2>;
 
 inline LinkEdge opposite_edge(const Triangle& t, VertexId v) {
-  if (t[0] == v) return {t[1], t[2]};
-  if (t[1] == v) return {t[0], t[2]};
-  return {t[0], t[1]};
+  return {t[0] == v ? t[1] : t[0], t[2] == v ? t[1] : t[2]};
 }
 
 /// For each vertex the triangles at it, ascending.

@@ -40,7 +40,7 @@ struct TriangleLambda {
 };
 
 /// The intervals of all Delaunay triangles, by ascending corners; relative
-/// error below 2^-31.
+/// error below 2^-35.
 std::vector<TriangleLambda> lambda_intervals(
     const delaunay::Triangulation3& triangulation);
 

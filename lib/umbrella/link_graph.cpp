@@ -7,10 +7,10 @@ namespace umbrella {
 
 const std::vector<bool>& LinkGraph::peel() {
   stays_.assign(edges_.size(), true);
-  for (const VertexId start : vertices_) {
-    VertexId leaf = start;
-    while (node(leaf).degree == 1) {
-      const EdgeIndex edge = node(leaf).edges;
+  for (Place start = 0; start < nodes_.size(); ++start) {
+    Place leaf = start;
+    while (nodes_[leaf].degree == 1) {
+      const EdgeIndex edge = nodes_[leaf].edges;
       take_away(edge);
       leaf = other_end(edge, leaf);
     }
@@ -23,8 +23,8 @@ const std::vector<bool>& LinkGraph::drop_bridges() {
   // With one cycle or none there is nothing left but that.
   const bool only_cycles =
       n_closing_ <= 1 ||
-      std::none_of(vertices_.begin(), vertices_.end(),
-                   [this](VertexId v) { return node(v).degree > 2; });
+      std::none_of(nodes_.begin(), nodes_.end(),
+                   [](const Node& n) { return n.degree > 2; });
   if (!only_cycles) {
     find_bridges();
     for (const EdgeIndex e : bridges_) take_away(e);
@@ -34,9 +34,9 @@ const std::vector<bool>& LinkGraph::drop_bridges() {
 
 void LinkGraph::take_away(EdgeIndex e) {
   stays_[e] = false;
-  for (const VertexId v : edges_[e]) {
-    --node(v).degree;
-    node(v).edges ^= e;
+  for (const Place p : edges_[e]) {
+    --nodes_[p].degree;
+    nodes_[p].edges ^= e;
   }
 }
 
@@ -45,35 +45,34 @@ void LinkGraph::take_away(EdgeIndex e) {
 void LinkGraph::find_bridges() {
   constexpr EdgeIndex kNone = std::numeric_limits<EdgeIndex>::max();
   sort_half_edges();
-  time_.assign(vertices_.size(), 0);  // 0: not yet reached
-  low_.assign(vertices_.size(), 0);
+  time_.assign(nodes_.size(), 0);  // 0: not yet reached
+  low_.assign(nodes_.size(), 0);
   bridges_.clear();
   std::uint32_t clock = 0;
-  const auto place = [this](VertexId v) { return node(v).place; };
-  const auto enter = [&](VertexId v, EdgeIndex by) {
-    time_[place(v)] = low_[place(v)] = ++clock;
-    stack_.push_back({v, by, first_half_edge_[place(v)]});
+  const auto enter = [&](Place p, EdgeIndex by) {
+    time_[p] = low_[p] = ++clock;
+    stack_.push_back({p, by, first_half_edge_[p]});
   };
-  for (const VertexId start : vertices_) {
-    if (time_[place(start)] != 0) continue;
+  for (Place start = 0; start < nodes_.size(); ++start) {
+    if (time_[start] != 0) continue;
     enter(start, kNone);
     while (!stack_.empty()) {
       Visit& visit = stack_.back();
-      std::uint32_t& low = low_[place(visit.vertex)];
-      if (visit.next != first_half_edge_[place(visit.vertex) + 1]) {
+      std::uint32_t& low = low_[visit.vertex];
+      if (visit.next != first_half_edge_[visit.vertex + 1]) {
         const EdgeIndex edge = half_edges_[visit.next++];
-        const VertexId end = other_end(edge, visit.vertex);
+        const Place end = other_end(edge, visit.vertex);
         if (edge == visit.entered_by) continue;
-        if (time_[place(end)] == 0)
+        if (time_[end] == 0)
           enter(end, edge);
         else
-          low = std::min(low, time_[place(end)]);
+          low = std::min(low, time_[end]);
         continue;
       }
       const EdgeIndex entered_by = visit.entered_by;
       stack_.pop_back();
       if (stack_.empty()) continue;
-      const std::uint32_t above = place(stack_.back().vertex);
+      const Place above = stack_.back().vertex;
       low_[above] = std::min(low_[above], low);
       if (low > time_[above]) bridges_.push_back(entered_by);
     }
@@ -82,16 +81,15 @@ void LinkGraph::find_bridges() {
 
 /// Fills half_edges_ with the edges that stay, vertex after vertex.
 void LinkGraph::sort_half_edges() {
-  first_half_edge_.resize(vertices_.size() + 1);
+  first_half_edge_.resize(nodes_.size() + 1);
   std::uint32_t sum = 0;
-  for (std::size_t i = 0; i < vertices_.size(); ++i)
-    first_half_edge_[i] = sum += node(vertices_[i]).degree;
+  for (Place p = 0; p < nodes_.size(); ++p)
+    first_half_edge_[p] = sum += nodes_[p].degree;
   first_half_edge_.back() = sum;
   half_edges_.resize(sum);
   for (EdgeIndex e = 0; e < edges_.size(); ++e)
     if (stays_[e])
-      for (const VertexId v : edges_[e])
-        half_edges_[--first_half_edge_[node(v).place]] = e;
+      for (const Place p : edges_[e]) half_edges_[--first_half_edge_[p]] = e;
 }
 
 }  // namespace umbrella

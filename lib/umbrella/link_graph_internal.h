@@ -16,12 +16,11 @@ namespace umbrella {
 /// position in the order of add().
 class LinkGraph {
  public:
-  explicit LinkGraph(std::size_t n_vertices) : nodes_(n_vertices) {}
+  explicit LinkGraph(std::size_t n_vertices) : places_(n_vertices) {}
 
-  /// In the time that the last graph took.
   void clear() {
-    for (const VertexId v : vertices_) node(v) = {};
-    vertices_.clear();
+    ++n_graphs_;
+    nodes_.clear();
     edges_.clear();
     n_closing_ = 0;
   }
@@ -29,10 +28,14 @@ class LinkGraph {
   /// Adds an edge, new to the graph. @return whether it closes a cycle
   bool add(const LinkEdge& ends) {
     const auto name = static_cast<EdgeIndex>(edges_.size());
-    edges_.push_back(ends);
-    for (const VertexId v : ends) attach(v, name);
-    const VertexId a = root(ends[0]), b = root(ends[1]);
-    node(a).parent = b;
+    const Edge edge = {place(ends[0]), place(ends[1])};
+    edges_.push_back(edge);
+    for (const Place p : edge) {
+      ++nodes_[p].degree;
+      nodes_[p].edges ^= name;
+    }
+    const Place a = root(edge[0]), b = root(edge[1]);
+    nodes_[a].parent = b;
     n_closing_ += a == b ? 1 : 0;
     return a == b;
   }
@@ -53,47 +56,52 @@ class LinkGraph {
 
  private:
   using EdgeIndex = std::uint32_t;
+  /// Of a vertex in the graph, by first appearance.
+  using Place = std::uint32_t;
+  using Edge = std::array<Place, 2>;
 
-  /// A vertex of the graph; all zero if it has no edge.
+  /// A vertex of the graph.
   struct Node {
-    VertexId parent;       // union-find
-    std::uint32_t degree;  // edges that stay
-    EdgeIndex edges;       // XOR of them: at a leaf, its edge
-    std::uint32_t place;   // in vertices_
+    Place parent;              // union-find
+    std::uint32_t degree = 0;  // edges that stay
+    EdgeIndex edges = 0;       // XOR of them: at a leaf, its edge
   };
 
-  Node& node(VertexId v) { return nodes_[index(v)]; }
-  void attach(VertexId v, EdgeIndex e) {
-    Node& n = node(v);
-    if (n.degree == 0) {
-      n.parent = v;
-      n.place = static_cast<std::uint32_t>(vertices_.size());
-      vertices_.push_back(v);
+  Place place(VertexId v) {
+    Known& known = places_[index(v)];
+    if (known.graph != n_graphs_) {
+      known = {n_graphs_, static_cast<Place>(nodes_.size())};
+      nodes_.push_back({known.place});
     }
-    ++n.degree;
-    n.edges ^= e;
+    return known.place;
   }
-  VertexId root(VertexId v) {
-    while (node(v).parent != v)
-      v = node(v).parent = node(node(v).parent).parent;
-    return v;
+  Place root(Place p) {
+    while (nodes_[p].parent != p)
+      p = nodes_[p].parent = nodes_[nodes_[p].parent].parent;
+    return p;
   }
-  VertexId other_end(EdgeIndex e, VertexId v) const {
-    return edges_[e][0] == v ? edges_[e][1] : edges_[e][0];
+  Place other_end(EdgeIndex e, Place p) const {
+    return edges_[e][0] == p ? edges_[e][1] : edges_[e][0];
   }
   void take_away(EdgeIndex e);
   void find_bridges();
   void sort_half_edges();
 
-  std::vector<Node> nodes_;
-  std::vector<VertexId> vertices_;  // of the graph, by first appearance
-  std::vector<LinkEdge> edges_;
+  /// Where a vertex was put, in the last graph it was in.
+  struct Known {
+    std::uint32_t graph = 0;
+    Place place = 0;
+  };
+  std::vector<Known> places_;
+  std::uint32_t n_graphs_ = 1;
+  std::vector<Node> nodes_;  // by place
+  std::vector<Edge> edges_;
   std::size_t n_closing_ = 0;
   std::vector<bool> stays_;
 
-  // For find_bridges(), by the places of vertices: their edges, and the search.
+  // For find_bridges(): edges by places of vertices, and the search.
   struct Visit {
-    VertexId vertex;
+    Place vertex;
     EdgeIndex entered_by;
     std::uint32_t next;  // half-edge to follow
   };

@@ -4,30 +4,21 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
-#include "umbrella/criterion.h"
 #include "umbrella/filter.h"
+#include "umbrella/methods.h"
 #include "umbrella/surface.h"
 
 namespace umbrella {
 namespace {
 
 using delaunay::Triangulation3;
-
-constexpr std::array<std::string_view, 2> kCriteria = {"paper", "circumradius"};
-
-std::vector<RankedTriangle> ranked_by(std::string_view criterion,
-                                      const Triangulation3& triangulation,
-                                      const Circumspheres& spheres) {
-  if (criterion == "circumradius")
-    return ranked_triangles(triangulation, spheres, CircumradiusCriterion{});
-  return ranked_triangles(triangulation, spheres, PaperCriterion{});
-}
 
 std::vector<LocatedTriangle> without_ranks(
     std::span<const RankedTriangle> ranked) {
@@ -41,11 +32,9 @@ std::vector<LocatedTriangle> without_ranks(
 
 class Pipeline {
  public:
-  explicit Pipeline(const ReconstructOptions& options) : options_(options) {
-    if (std::find(kCriteria.begin(), kCriteria.end(), options.criterion) ==
-        kCriteria.end())
-      throw std::invalid_argument("there is no criterion '" +
-                                  std::string(options.criterion) + "'");
+  explicit Pipeline(const ReconstructOptions& options)
+      : options_(options), method_(parse_method(options.method)) {
+    require_criterion(options.criterion);
   }
 
   Reconstruction run(std::span<const Point3> points);
@@ -65,19 +54,29 @@ class Pipeline {
 
   std::vector<LocatedTriangle> triangles_of(const Triangulation3& triangulation,
                                             const Circumspheres& spheres);
+  FilterResult filtered(const Triangulation3& triangulation,
+                        const Circumspheres& spheres);
   CleanUpResult cleaned(std::size_t n_vertices, const FilterResult& filtered);
+  CleanUpResult cleaned_faces(const Triangulation3& triangulation,
+                              const Circumspheres& spheres,
+                              const FilterResult& filtered);
   std::vector<Hole> holes(std::size_t n_vertices, const CleanUpResult& clean);
   void finish(const Triangulation3& triangulation, const Circumspheres& spheres,
               std::span<const LocatedTriangle> triangles);
 
+  void list_dropped(std::span<const std::uint32_t> row);
+
   const ReconstructOptions& options_;
+  Method method_;
   std::vector<VertexId> dropped_;
+  std::vector<DropReason> reasons_;
   Reconstruction result_;
 };
 
 Reconstruction Pipeline::run(std::span<const Point3> points) {
-  const auto triangulation = timed("delaunay", result_.seconds.delaunay,
-                                   [&] { return Triangulation3(points); });
+  const auto triangulation = timed("delaunay", result_.seconds.delaunay, [&] {
+    return Triangulation3(points, options_.threads);
+  });
   const auto spheres = timed("lambda", result_.seconds.lambda,
                              [&] { return Circumspheres(triangulation); });
   result_.dimension = triangulation.dimension();
@@ -97,20 +96,14 @@ Reconstruction Pipeline::run(std::span<const Point3> points) {
 std::vector<LocatedTriangle> Pipeline::triangles_of(
     const Triangulation3& triangulation, const Circumspheres& spheres) {
   const std::size_t n = triangulation.points().size();
-  double seconds = 0;
-  const auto ranked = timed("lambda", seconds, [&] {
-    return ranked_by(options_.criterion, triangulation, spheres);
-  });
-  result_.seconds.lambda += seconds;
-  result_.counts.admissible_triangles = ranked.size();
-
-  const auto filtered = timed("filter", result_.seconds.filter,
-                              [&] { return umbrella_filter(n, ranked); });
+  const FilterResult filtered = this->filtered(triangulation, spheres);
   result_.counts.filter_triangles = filtered.triangles.size();
   result_.counts.filter_without_umbrella = filtered.without_umbrella.size();
   if (options_.stage == Stage::Filter) return without_ranks(filtered.triangles);
 
-  const CleanUpResult clean = cleaned(n, filtered);
+  const CleanUpResult clean =
+      options_.faces ? cleaned_faces(triangulation, spheres, filtered)
+                     : cleaned(n, filtered);
   if (options_.stage == Stage::Clean) return without_ranks(clean.triangles);
 
   const std::vector<Hole> open = holes(n, clean);
@@ -119,7 +112,28 @@ std::vector<LocatedTriangle> Pipeline::triangles_of(
   });
   result_.closing = closed.report;
   dropped_ = std::move(closed.dropped);
+  reasons_ = std::move(closed.reasons);
   return std::move(closed.triangles);
+}
+
+FilterResult Pipeline::filtered(const Triangulation3& triangulation,
+                                const Circumspheres& spheres) {
+  if (!method_.is_umbrella()) {
+    FilterResult result = timed("filter", result_.seconds.filter, [&] {
+      return method_filter(method_, triangulation, spheres);
+    });
+    result_.counts.admissible_triangles = result.triangles.size();
+    return result;
+  }
+  double seconds = 0;
+  const auto ranked = timed("lambda", seconds, [&] {
+    return ranked_by(options_.criterion, triangulation, spheres);
+  });
+  result_.seconds.lambda += seconds;
+  result_.counts.admissible_triangles = ranked.size();
+  return timed("filter", result_.seconds.filter, [&] {
+    return umbrella_filter(triangulation.points(), ranked, options_.umbrella);
+  });
 }
 
 CleanUpResult Pipeline::cleaned(std::size_t n_vertices,
@@ -133,6 +147,28 @@ CleanUpResult Pipeline::cleaned(std::size_t n_vertices,
   counts.dissolved = clean.n_dissolved;
   counts.clean_triangles = clean.triangles.size();
   counts.clean_without_umbrella = clean.without_umbrella.size();
+  return clean;
+}
+
+/// The given faces, cleaned. What the filter would choose counts as deleted, as
+/// if it had been there: it joins points that have no face to the holes.
+CleanUpResult Pipeline::cleaned_faces(const Triangulation3& triangulation,
+                                      const Circumspheres& spheres,
+                                      const FilterResult& filtered) {
+  GivenFaces given = locate_faces(triangulation, spheres, *options_.faces);
+  result_.faces = given.counts;
+  FilterResult instead;
+  instead.triangles = std::move(given.triangles);
+  CleanUpResult clean = cleaned(triangulation.points().size(), instead);
+  const auto before = [](const RankedTriangle& a, const RankedTriangle& b) {
+    return a.corners < b.corners;
+  };
+  std::vector<RankedTriangle> others, deleted;
+  std::ranges::set_difference(filtered.triangles, clean.triangles,
+                              std::back_inserter(others), before);
+  std::ranges::set_union(clean.deleted, others, std::back_inserter(deleted),
+                         before);
+  clean.deleted = std::move(deleted);
   return clean;
 }
 
@@ -161,12 +197,20 @@ std::vector<std::uint32_t> first_rows(const Triangulation3& triangulation) {
 void Pipeline::finish(const Triangulation3& triangulation,
                       const Circumspheres& spheres,
                       std::span<const LocatedTriangle> triangles) {
-  std::vector<Triangle> corners(triangles.size());
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
+  const std::size_t n = triangles.size();
+  std::vector<Triangle> corners(n);
+  std::vector<delaunay::Facet> facets(n);
+  for (std::size_t t = 0; t < n; ++t) {
     corners[t] = triangles[t].corners;
-    const DelaunayTriangle triangle(triangulation, spheres, triangles[t].facet);
-    result_.lambda.push_back(std::sqrt(triangle.squared_lambda_lower()));
+    facets[t] = triangles[t].facet;
   }
+  std::vector<FacetRadii> radii(n);
+  spheres.measure(facets, radii);
+  result_.lambda.resize(n);
+  for (std::size_t t = 0; t < n; ++t)
+    result_.lambda[t] =
+        std::sqrt(DelaunayTriangle(triangulation, spheres, facets[t], &radii[t])
+                      .squared_lambda_lower());
   const auto oriented = orient(triangulation.points(), corners);
 
   std::vector<IndexedTriangle> vertices(triangles.size());
@@ -179,16 +223,24 @@ void Pipeline::finish(const Triangulation3& triangulation,
   for (std::uint32_t& v : result_.surface.unused_vertices) v = row[v];
   std::sort(result_.surface.unused_vertices.begin(),
             result_.surface.unused_vertices.end());
-  for (const VertexId v : dropped_)
-    result_.dropped_rows.push_back(row[index(v)]);
-  std::sort(result_.dropped_rows.begin(), result_.dropped_rows.end());
+  list_dropped(row);
   for (const IndexedTriangle& t : vertices)
     result_.triangles.push_back({row[t[0]], row[t[1]], row[t[2]]});
 }
 
-}  // namespace
+/// Rows ascending, each with its reason.
+void Pipeline::list_dropped(std::span<const std::uint32_t> row) {
+  std::vector<std::pair<std::uint32_t, DropReason>> dropped;
+  for (std::size_t i = 0; i < dropped_.size(); ++i)
+    dropped.emplace_back(row[index(dropped_[i])], reasons_[i]);
+  std::sort(dropped.begin(), dropped.end());
+  for (const auto& [r, reason] : dropped) {
+    result_.dropped_rows.push_back(r);
+    result_.drop_reasons.push_back(reason);
+  }
+}
 
-std::span<const std::string_view> criterion_names() { return kCriteria; }
+}  // namespace
 
 Reconstruction reconstruct(std::span<const Point3> points,
                            const ReconstructOptions& options) {

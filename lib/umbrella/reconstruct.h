@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -13,7 +14,10 @@
 #include "umbrella/certificate.h"
 #include "umbrella/clean_up.h"
 #include "umbrella/closing.h"
+#include "umbrella/criteria.h"
+#include "umbrella/given_faces.h"
 #include "umbrella/triangle.h"
+#include "umbrella/umbrella_choice.h"
 
 namespace umbrella {
 
@@ -22,10 +26,20 @@ enum class Stage { Filter, Clean, Closed };
 
 struct ReconstructOptions {
   Stage stage = Stage::Closed;
+  /// What finds the candidates, see parse_method(). But for "umbrella", what
+  /// the next two say has no effect.
+  std::string_view method = "umbrella";
   /// One of criterion_names().
   std::string_view criterion = "paper";
+  UmbrellaChoice umbrella = UmbrellaChoice::First;
   CleanUpOptions clean_up = {};
   ClosingOptions closing = {};
+  /// At most so many; the result is the same for any number.
+  unsigned threads = 1;
+  /// Triangles of another surface, as rows of the points: those that are
+  /// Delaunay take the place of the filter's choice, which says no more than
+  /// which points belong to which hole.
+  std::optional<std::span<const IndexedTriangle>> faces = {};
   /// Called at the start of each stage with its name as in `seconds`.
   std::function<void(std::string_view)> progress = {};
 };
@@ -67,20 +81,19 @@ struct Reconstruction {
   /// Lower bound of each triangle's lambda-interval.
   std::vector<double> lambda;
   ReconstructCounts counts;
+  FaceCounts faces;  ///< of ReconstructOptions::faces
   ClosingReport closing;
   std::vector<std::uint32_t> dropped_rows;  ///< left out to close, ascending
+  std::vector<DropReason> drop_reasons;     ///< of dropped_rows
   /// Certificate of `triangles`, over the distinct points; its
   /// unused_vertices are rows of the input.
   SurfaceReport surface;
   ReconstructSeconds seconds;
 };
 
-/// The criteria that can be asked for by name: "paper" first.
-std::span<const std::string_view> criterion_names();
-
 /// @param points  any unit; duplicates are merged
 /// @throws std::invalid_argument  a coordinate is not finite (names the row),
-///   or there is no such criterion
+///   or there is no such criterion or method
 Reconstruction reconstruct(std::span<const Point3> points,
                            const ReconstructOptions& options = {});
 

@@ -64,18 +64,24 @@ std::vector<Region> merge_holes(std::span<const Hole> holes,
   return regions;
 }
 
-Neighborhoods::Neighborhoods(const delaunay::Triangulation3& triangulation)
+CellSet::CellSet(const delaunay::Triangulation3& triangulation)
     : triangulation_(triangulation),
       cell_of_vertex_(triangulation.points().size()),
-      seen_(triangulation.cells().size()),
-      star_(triangulation.cells().size()),
-      mark_(triangulation.points().size()) {
+      marks_(triangulation.n_finite_cells()) {
   for (std::size_t c = 0; c < triangulation.n_finite_cells(); ++c)
     for (const VertexId v : triangulation.cells()[c].vertex)
       cell_of_vertex_[index(v)] = CellId{static_cast<std::uint32_t>(c)};
 }
 
-void Neighborhoods::collect_cells(std::span<const VertexId> vertices) {
+std::uint32_t CellSet::position(CellId c) const {
+  if (index(c) >= marks_.size())
+    return static_cast<std::uint32_t>(cells_.size());
+  const Marks& marks = marks_[index(c)];
+  return marks.call == n_calls_ ? marks.position
+                                : std::numeric_limits<std::uint32_t>::max();
+}
+
+void CellSet::collect(std::span<const VertexId> vertices) {
   ++n_calls_;
   cells_.clear();
   for (const VertexId v : vertices) collect_star(v);
@@ -84,13 +90,16 @@ void Neighborhoods::collect_cells(std::span<const VertexId> vertices) {
 /// Adds the cells at v that are not yet there. The finite cells at v hang
 /// together by facets at v, but a neighbour may be there already as a cell of
 /// another vertex: so each star is walked with marks of its own.
-void Neighborhoods::collect_star(VertexId v) {
+void CellSet::collect_star(VertexId v) {
   ++n_stars_;
   const auto enter = [this](CellId c) {
-    star_[index(c)] = n_stars_;
+    Marks& marks = marks_[index(c)];
+    if (marks.star == n_stars_) return;
+    marks.star = n_stars_;
     stack_.push_back(c);
-    if (seen_[index(c)] == n_calls_) return;
-    seen_[index(c)] = n_calls_;
+    if (marks.call == n_calls_) return;
+    marks.call = n_calls_;
+    marks.position = static_cast<std::uint32_t>(cells_.size());
     cells_.push_back(c);
   };
   enter(cell_of_vertex_[index(v)]);
@@ -99,22 +108,24 @@ void Neighborhoods::collect_star(VertexId v) {
     stack_.pop_back();
     for (unsigned i = 0; i < 4; ++i) {
       const CellId beyond = cell.neighbor[i].cell();
-      if (cell.vertex[i] != v && star_[index(beyond)] != n_stars_ &&
-          !triangulation_.cell(beyond).is_infinite())
-        enter(beyond);
+      if (cell.vertex[i] != v && index(beyond) < marks_.size()) enter(beyond);
     }
   }
 }
 
+Neighborhoods::Neighborhoods(const delaunay::Triangulation3& triangulation)
+    : cells_(triangulation), mark_(triangulation.points().size()) {}
+
 std::vector<LocatedTriangle> Neighborhoods::candidates(const Region& region) {
   for (const VertexId v : region.vertices) mark_[index(v)] |= kInRegion;
   for (const VertexId v : region.stuck) mark_[index(v)] |= kStuck;
-  collect_cells(united(region.vertices, region.stuck));
+  cells_.collect(united(region.vertices, region.stuck));
 
   std::vector<LocatedTriangle> result;
-  for (const CellId c : cells_)
+  for (std::uint32_t p = 0; p < cells_.cells().size(); ++p)
     for (unsigned i = 0; i < 4; ++i) {
-      const Cell& cell = triangulation_.cell(c);
+      const CellId c = cells_.cells()[p];
+      const Cell& cell = cells_.cell(p);
       Triangle t;
       unsigned inside = 0, stuck = 0;
       for (unsigned k = 0; k < 3; ++k) {
@@ -138,10 +149,10 @@ std::vector<LocatedTriangle> Neighborhoods::candidates(const Region& region) {
 }
 
 std::vector<VertexId> Neighborhoods::ring(std::span<const VertexId> vertices) {
-  collect_cells(vertices);
+  cells_.collect(vertices);
   std::vector<VertexId> result(vertices.begin(), vertices.end());
-  for (const CellId c : cells_)
-    for (const VertexId v : triangulation_.cell(c).vertex) result.push_back(v);
+  for (std::uint32_t p = 0; p < cells_.cells().size(); ++p)
+    for (const VertexId v : cells_.cell(p).vertex) result.push_back(v);
   std::sort(result.begin(), result.end());
   result.erase(std::unique(result.begin(), result.end()), result.end());
   return result;

@@ -31,6 +31,44 @@ std::vector<Region> merge_holes(std::span<const Hole> holes,
 std::vector<VertexId> united(std::span<const VertexId> a,
                              std::span<const VertexId> b);
 
+/// Cells at some vertices, all within the hull.
+class CellSet {
+ public:
+  explicit CellSet(const delaunay::Triangulation3& triangulation);
+
+  /// Puts the cells at these vertices in place of those before.
+  void collect(std::span<const VertexId> vertices);
+
+  std::span<const delaunay::CellId> cells() const { return cells_; }
+  const delaunay::Cell& cell(std::uint32_t position) const {
+    return triangulation_.cell(cells_[position]);
+  }
+  /// Where the cell is in cells(); for all beyond the hull cells().size(); for
+  /// others the largest number.
+  std::uint32_t position(delaunay::CellId c) const;
+  /// The same triangle from its other cell.
+  delaunay::Facet opposite(delaunay::Facet facet) const {
+    return triangulation_.cell(facet.cell()).neighbor[facet.index()];
+  }
+
+ private:
+  void collect_star(VertexId v);
+
+  const delaunay::Triangulation3& triangulation_;
+  std::vector<delaunay::CellId> cell_of_vertex_;
+  /// Of a cell; side by side, for they are looked up together.
+  struct Marks {
+    std::uint32_t call = 0;      // the last that met it
+    std::uint32_t star = 0;      // the last that met it
+    std::uint32_t position = 0;  // in `cells_`, if met in this call
+  };
+  std::vector<Marks> marks_;  // of the cells within the hull
+  std::uint32_t n_calls_ = 0;
+  std::uint32_t n_stars_ = 0;
+  std::vector<delaunay::CellId> cells_;
+  std::vector<delaunay::CellId> stack_;
+};
+
 /// Walks about the vertices of a triangulation.
 class Neighborhoods {
  public:
@@ -39,21 +77,14 @@ class Neighborhoods {
   /// The candidate triangles of a region, by ascending corners.
   std::vector<LocatedTriangle> candidates(const Region& region);
 
+  /// Those at the vertices of the last call of one of these.
+  const CellSet& cells() const { return cells_; }
+
   /// Vertices joined to one of these by a Delaunay edge, and these; ascending.
   std::vector<VertexId> ring(std::span<const VertexId> vertices);
 
  private:
-  void collect_cells(std::span<const VertexId> vertices);
-  void collect_star(VertexId v);
-
-  const delaunay::Triangulation3& triangulation_;
-  std::vector<delaunay::CellId> cell_of_vertex_;
-  std::vector<std::uint32_t> seen_;  // last call that met the cell
-  std::vector<std::uint32_t> star_;  // last star that met the cell
-  std::uint32_t n_calls_ = 0;
-  std::uint32_t n_stars_ = 0;
-  std::vector<delaunay::CellId> cells_;  // last collected, all within the hull
-  std::vector<delaunay::CellId> stack_;
+  CellSet cells_;
   std::vector<std::uint8_t> mark_;  // of vertices, zero between calls
 };
 

@@ -3,9 +3,14 @@
 
 #include "ilp/improve.h"
 #include "umbrella/region_solver_internal.h"
+#include "umbrella/rooms_internal.h"
 
 namespace umbrella {
 namespace {
+
+/// What making a program costs, in propagations: 6 us a variable where one
+/// propagation takes about 1 us (a region of 22000 vertices of a noisy scan).
+constexpr std::uint64_t kStepsPerVariable = 6;
 
 std::size_t largest_piece(const ClosingOptions& options, std::size_t n) {
   const double part = options.piece_part * 2 * static_cast<double>(n);
@@ -25,14 +30,14 @@ struct RegionSolver::Work {
   ClosingProgram program;
   ilp::Solver solver;
   std::span<const Piece> allowed;
+  Effort effort;  // for this attempt
   std::vector<ilp::VarId> worst_first;
   ilp::Model model;
   Attempt result;
 
-  Work(const WorkingSurface& surface, const Region& region,
-       std::vector<LocatedTriangle> found, std::span<const VertexId> may_drop)
-      : candidates(std::move(found)),
-        program(surface, candidates, region.vertices, may_drop),
+  Work(std::vector<LocatedTriangle> candidates_found, ClosingProgram made)
+      : candidates(std::move(candidates_found)),
+        program(std::move(made)),
         solver(program.problem()) {
     result.n_candidates = candidates.size();
     result.n_variables = program.problem().n_variables();
@@ -55,17 +60,29 @@ RegionSolver::RegionSolver(const delaunay::Triangulation3& triangulation,
                     largest_piece(options, triangulation.points().size())),
       start_(std::chrono::steady_clock::now()) {}
 
-Attempt RegionSolver::attempt(const Region& region,
-                              std::span<const VertexId> may_drop,
-                              std::span<const Piece> allowed) {
-  Work work(surface_, region, neighborhoods_.candidates(region), may_drop);
-  work.allowed = allowed;
+Attempt RegionSolver::attempt(const Region& region, Effort& effort,
+                              const AttemptOptions& how) {
+  std::vector<LocatedTriangle> candidates = neighborhoods_.candidates(region);
+  ClosingProgram program(surface_, candidates, region.vertices, how.may_drop);
+  add_sides(program, candidates);
+  Work work(std::move(candidates), std::move(program));
+  work.allowed = how.allowed;
+  work.effort = {effort.conflicts / 2, effort.propagations / 2};
   order_worst_first(work);
-  settle_dropped(work);
-  search(work);
-  conflicts_ += work.solver.statistics().conflicts;
-  propagations_ += work.solver.statistics().propagations;
+  if (settle_dropped(work, how)) search(work);
+  const ilp::Statistics used = work.solver.statistics();
+  conflicts_ += used.conflicts;
+  effort.charge(
+      used.conflicts,
+      used.propagations + kStepsPerVariable * work.result.n_variables);
   return std::move(work.result);
+}
+
+bool RegionSolver::closes_small_piece(const Attempt& solved) {
+  return options_.mode == CloseMode::Best &&
+         !piece_finder_
+              .find({solved.freed, solved.chosen, solved.vertices}, is_open_)
+              .empty();
 }
 
 std::vector<VertexId> RegionSolver::vertices(const Region& region) {
@@ -75,6 +92,17 @@ std::vector<VertexId> RegionSolver::vertices(const Region& region) {
   std::sort(result.begin(), result.end());
   result.erase(std::unique(result.begin(), result.end()), result.end());
   return result;
+}
+
+void RegionSolver::add_sides(
+    ClosingProgram& program,
+    std::span<const LocatedTriangle> candidates) const {
+  std::vector<LocatedTriangle> fixed;
+  for (const TriangleIndex t : program.fixed())
+    fixed.push_back(surface_.triangle(t));
+  program.add_sides(
+      walls_between_rooms(neighborhoods_.cells(),
+                          {candidates, fixed, program.vertices(), is_open_}));
 }
 
 void RegionSolver::order_worst_first(Work& work) const {
@@ -92,25 +120,61 @@ void RegionSolver::order_worst_first(Work& work) const {
   work.worst_first = std::move(order);
 }
 
-/// Leaving a vertex out is worse than any triangle: starting from any solution,
-/// asks for one vertex after another that it leaves bare, and settles each for
-/// good. A vertex that is hard to keep goes.
-void RegionSolver::settle_dropped(Work& work) const {
+/// Leaving a vertex out is worse than any triangle. Starts with none left out,
+/// and releases those that contradict each other until there is a solution.
+/// Then one released vertex after another is asked for and settled for good; a
+/// vertex that is hard to keep goes.
+///
+/// @return whether to go on; if not, the outcome is known
+bool RegionSolver::settle_dropped(Work& work, const AttemptOptions& how) const {
   constexpr std::uint64_t kConflictsOfVertex = 500;
-  if (work.program.droppable().empty()) return;
+  const auto droppable = work.program.droppable();
+  if (droppable.empty()) return true;
   ilp::Solver& solver = work.solver;
-  solver.set_priority(work.worst_first);
-  if (solver.solve({}, limits(solver)) != ilp::Status::Feasible) return;
-  std::vector<ilp::Literal> settled;
-  for (const auto& [vertex, is_dropped] : work.program.droppable()) {
-    settled.emplace_back(is_dropped, false);
+  std::vector<ilp::Literal> kept;
+  for (const auto& [vertex, is_dropped] : droppable)
+    kept.emplace_back(is_dropped, false);
+  if (!release_stuck(work, kept)) return false;
+  if (kept.size() < droppable.size() && !how.accept_drops) {
+    work.result.outcome = Outcome::Infeasible;
+    return false;
+  }
+  std::vector<ilp::Literal> settled = kept;
+  for (const auto& [vertex, is_dropped] : droppable) {
+    const ilp::Literal keep(is_dropped, false);
+    if (std::binary_search(kept.begin(), kept.end(), keep)) continue;
+    settled.push_back(keep);
     if (!solver.model()[index(is_dropped)]) continue;
-    ilp::Limits some = limits(solver);
+    ilp::Limits some = limits(work);
     some.conflicts = std::min(some.conflicts, kConflictsOfVertex);
     if (solver.solve(settled, some) != ilp::Status::Feasible)
       settled.back() = !settled.back();
   }
   for (const ilp::Literal l : settled) solver.add_clause({&l, 1});
+  return true;
+}
+
+/// Takes from `kept`, ascending, what is in contradictions, until there is a
+/// model. @return false if there is none found; then the outcome is set
+bool RegionSolver::release_stuck(Work& work,
+                                 std::vector<ilp::Literal>& kept) const {
+  Attempt& result = work.result;
+  work.solver.set_priority(work.worst_first);
+  while (true) {
+    const ilp::Status status = work.solver.solve(kept, limits(work));
+    if (status == ilp::Status::Feasible) return true;
+    if (status == ilp::Status::Limit) return false;
+    const ilp::Core core = work.solver.core();
+    result.stuck = united(result.stuck, work.program.vertices_of(core));
+    if (core.assumptions.empty()) {
+      result.outcome = Outcome::Infeasible;
+      return false;
+    }
+    std::erase_if(kept, [&](ilp::Literal l) {
+      return std::binary_search(core.assumptions.begin(),
+                                core.assumptions.end(), l);
+    });
+  }
 }
 
 /// Solves and cuts off small closed pieces until there is none.
@@ -126,7 +190,8 @@ void RegionSolver::search(Work& work) {
     if (status == ilp::Status::Infeasible) {
       result.outcome =
           result.pieces.empty() ? Outcome::Infeasible : Outcome::Banned;
-      result.stuck = work.program.vertices_of(work.solver.core());
+      result.stuck =
+          united(result.stuck, work.program.vertices_of(work.solver.core()));
       for (const Piece& piece : result.pieces)
         result.stuck = united(result.stuck, piece.vertices);
       return;
@@ -140,12 +205,12 @@ void RegionSolver::search(Work& work) {
 
 ilp::Status RegionSolver::solve(Work& work) {
   if (options_.mode == CloseMode::Paper) {
-    const ilp::Status status = work.solver.solve({}, limits(work.solver));
+    const ilp::Status status = work.solver.solve({}, limits(work));
     work.model = work.solver.model();
     return status;
   }
-  ilp::Improvement best = ilp::minimize_worst_first(
-      work.solver, work.worst_first, limits(work.solver));
+  ilp::Improvement best =
+      ilp::minimize_worst_first(work.solver, work.worst_first, limits(work));
   work.model = std::move(best.model);
   return best.status;
 }
@@ -198,21 +263,18 @@ void RegionSolver::cut(Work& work, const Piece& piece) {
   work.result.pieces.push_back(piece);
 }
 
-/// What one attempt may still take.
-ilp::Limits RegionSolver::limits(const ilp::Solver& solver) const {
+/// What the attempt may still take.
+ilp::Limits RegionSolver::limits(const Work& work) const {
   const std::chrono::duration<double> spent =
       std::chrono::steady_clock::now() - start_;
-  constexpr std::uint64_t kPart = 2;
-  const auto left = [](std::uint64_t all, std::uint64_t used) {
-    return all - std::min(all, used);
-  };
-  const ilp::Statistics used = solver.statistics();
+  const ilp::Statistics used = work.solver.statistics();
+  Effort left = work.effort;
+  left.charge(used.conflicts, used.propagations);
   ilp::Limits limits;
-  limits.conflicts =
-      left(left(options_.conflicts, conflicts_) / kPart, used.conflicts);
-  limits.propagations = left(left(options_.propagations, propagations_) / kPart,
-                             used.propagations);
+  limits.conflicts = left.conflicts;
+  limits.propagations = left.propagations;
   limits.seconds = std::max(0.0, options_.seconds - spent.count());
+  limits.stop = options_.stop;
   return limits;
 }
 

@@ -2,7 +2,9 @@
 /// One region, one program: the best surface through it, or why there is none.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -38,6 +40,28 @@ struct Attempt {
   std::vector<Piece> pieces;    ///< those that were cut off
 };
 
+/// What is left of what the programs of one region may take.
+struct Effort {
+  std::uint64_t conflicts = 0;
+  std::uint64_t propagations = 0;
+
+  bool is_spent() const { return propagations == 0; }
+  void charge(std::uint64_t conflicts_taken, std::uint64_t propagations_taken) {
+    conflicts -= std::min(conflicts, conflicts_taken);
+    propagations -= std::min(propagations, propagations_taken);
+  }
+};
+
+struct AttemptOptions {
+  /// Vertices that may stay bare; ascending.
+  std::span<const VertexId> may_drop = {};
+  /// Whether a solution that leaves some bare is one. If not, all that stand
+  /// in its way are named as stuck.
+  bool accept_drops = true;
+  /// Small closed pieces that may be.
+  std::span<const Piece> allowed = {};
+};
+
 class RegionSolver {
  public:
   /// @param triangulation, options, surface, is_open  must outlive this
@@ -46,10 +70,13 @@ class RegionSolver {
                const ClosingOptions& options, const WorkingSurface& surface,
                const std::vector<bool>& is_open);
 
-  /// @param may_drop  vertices that may stay bare; ascending
-  /// @param allowed  small closed pieces that may be
-  Attempt attempt(const Region& region, std::span<const VertexId> may_drop = {},
-                  std::span<const Piece> allowed = {});
+  /// @param effort  half of it may be taken, and is taken off
+  Attempt attempt(const Region& region, Effort& effort,
+                  const AttemptOptions& how = {});
+
+  /// Whether it would close a small piece, on the surface as it is now. May say
+  /// so of a solved attempt once other regions are done with.
+  bool closes_small_piece(const Attempt& solved);
 
   /// All vertices the program of the region would have; ascending.
   std::vector<VertexId> vertices(const Region& region);
@@ -57,9 +84,7 @@ class RegionSolver {
   std::size_t n_candidates(const Region& region) {
     return neighborhoods_.candidates(region).size();
   }
-  /// Whether nothing is left of the effort of all programs.
-  bool is_spent() const { return propagations_ >= options_.propagations; }
-  void charge(std::uint64_t propagations) { propagations_ += propagations; }
+  bool is_stopped() const { return options_.stop != nullptr && *options_.stop; }
 
   Neighborhoods& neighborhoods() { return neighborhoods_; }
   std::uint64_t conflicts() const { return conflicts_; }
@@ -67,14 +92,18 @@ class RegionSolver {
  private:
   struct Work;  // one attempt
 
+  /// @pre the cells of the candidates are the last ones collected
+  void add_sides(ClosingProgram& program,
+                 std::span<const LocatedTriangle> candidates) const;
   void order_worst_first(Work& work) const;
-  void settle_dropped(Work& work) const;
+  bool settle_dropped(Work& work, const AttemptOptions& how) const;
+  bool release_stuck(Work& work, std::vector<ilp::Literal>& kept) const;
   void search(Work& work);
   ilp::Status solve(Work& work);
   static std::vector<VertexId> bare_vertices(const Work& work);
   bool read_model(Work& work);
   void cut(Work& work, const Piece& piece);
-  ilp::Limits limits(const ilp::Solver& solver) const;
+  ilp::Limits limits(const Work& work) const;
 
   const ClosingOptions& options_;
   const WorkingSurface& surface_;
@@ -83,7 +112,6 @@ class RegionSolver {
   Badness badness_;
   PieceFinder piece_finder_;
   std::uint64_t conflicts_ = 0;
-  std::uint64_t propagations_ = 0;
   std::chrono::steady_clock::time_point start_;
 };
 

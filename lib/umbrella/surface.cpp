@@ -1,6 +1,5 @@
 #include "umbrella/surface.h"
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <utility>
@@ -17,12 +16,46 @@ using Side = std::uint32_t;
 
 constexpr bool runs_up(Side s) { return s % 3 != 1; }
 
-/// Which sides lie on one edge.
+/// Which sides lie on one edge: each knows the next, and the last the first.
 class Edges {
  public:
   Edges(std::size_t n_vertices, std::span<const Triangle> triangles)
-      : by_edge_(3 * triangles.size()), first_of_(3 * triangles.size()) {
-    // By the low end in one pass, then each short list by the high one.
+      : next_(3 * triangles.size()) {
+    for (Side s = 0; s < next_.size(); ++s) next_[s] = s;
+    const std::vector<Upward> upward = by_low_end(n_vertices, triangles);
+    // At a low end, the last side met towards each high one. A side met first
+    // is put after itself, for whether it is, no processor can guess.
+    struct Met {
+      VertexId low;
+      Side side;
+    };
+    std::vector<Met> met(n_vertices, {delaunay::kInfinite, 0});
+    for (const auto& [low, high, side] : upward) {
+      Met& last = met[index(high)];
+      const Side before = last.low == low ? last.side : side;
+      next_[side] = next_[before];
+      next_[before] = side;
+      last = {low, side};
+    }
+  }
+
+  /// Calls visit(Side) for each other side on the same edge. @return how many
+  template <class Visit>
+  std::size_t for_each_partner(Side side, Visit visit) const {
+    std::size_t n = 0;
+    for (Side other = next_[side]; other != side; other = next_[other], ++n)
+      visit(other);
+    return n;
+  }
+
+ private:
+  struct Upward {
+    VertexId low, high;
+    Side side;
+  };
+
+  static std::vector<Upward> by_low_end(std::size_t n_vertices,
+                                        std::span<const Triangle> triangles) {
     std::vector<std::uint32_t> first(n_vertices + 1);
     for (const Triangle& t : triangles) {
       first[index(t[0])] += 2;
@@ -30,50 +63,16 @@ class Edges {
     }
     for (std::uint32_t v = 0, sum = 0; v <= n_vertices; ++v)
       first[v] = sum += first[v];
-    for (Side s = 0; s < by_edge_.size(); ++s) {
-      const auto [low, high] = ends(triangles, s);
-      by_edge_[--first[index(low)]] = {high, s};
+    std::vector<Upward> result(3 * triangles.size());
+    for (Side s = static_cast<Side>(result.size()); s-- > 0;) {
+      const Triangle& t = triangles[s / 3];
+      const VertexId low = t[s % 3 == 0 ? 1 : 0], high = t[s % 3 == 2 ? 1 : 2];
+      result[--first[index(low)]] = {low, high, s};
     }
-    for (std::size_t v = 0; v < n_vertices; ++v)
-      std::sort(by_edge_.begin() + first[v], by_edge_.begin() + first[v + 1],
-                [](const Entry& a, const Entry& b) {
-                  return a.high != b.high ? a.high < b.high : a.side < b.side;
-                });
-    for (std::size_t v = 0; v < n_vertices; ++v)
-      for (std::uint32_t i = first[v], group = i; i < first[v + 1]; ++i) {
-        if (by_edge_[i].high != by_edge_[group].high) group = i;
-        first_of_[by_edge_[i].side] = group;
-      }
+    return result;
   }
 
-  /// Calls visit(Side) for each other side on the same edge. @return how many
-  template <class Visit>
-  std::size_t for_each_partner(Side side, Visit visit) const {
-    std::size_t n = 0;
-    const std::uint32_t first = first_of_[side];
-    for (std::uint32_t i = first;
-         i < by_edge_.size() && first_of_[by_edge_[i].side] == first; ++i) {
-      if (by_edge_[i].side == side) continue;
-      ++n;
-      visit(by_edge_[i].side);
-    }
-    return n;
-  }
-
- private:
-  struct Entry {
-    VertexId high;
-    Side side;
-  };
-
-  static std::array<VertexId, 2> ends(std::span<const Triangle> triangles,
-                                      Side s) {
-    const Triangle& t = triangles[s / 3];
-    return {t[s % 3 == 0 ? 1 : 0], t[s % 3 == 2 ? 1 : 2]};
-  }
-
-  std::vector<Entry> by_edge_;
-  std::vector<std::uint32_t> first_of_;  // of a side: its edge in by_edge_
+  std::vector<Side> next_;
 };
 
 double signed_volume(std::span<const Point3> points, const Triangle& t,

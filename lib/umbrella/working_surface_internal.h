@@ -21,6 +21,9 @@ class WorkingSurface {
   WorkingSurface(std::size_t n_vertices,
                  std::span<const RankedTriangle> triangles)
       : head_(n_vertices, kEnd) {
+    triangles_.reserve(triangles.size());
+    is_there_.reserve(triangles.size());
+    next_.reserve(3 * triangles.size());
     for (const RankedTriangle& t : triangles) add({t.corners, t.facet});
   }
 
@@ -29,6 +32,9 @@ class WorkingSurface {
   std::size_t n_indices() const { return triangles_.size(); }
   const Triangle& corners(TriangleIndex t) const {
     return triangles_[t].corners;
+  }
+  const LocatedTriangle& triangle(TriangleIndex t) const {
+    return triangles_[t];
   }
   bool contains(TriangleIndex t) const { return is_there_[t]; }
 
@@ -58,6 +64,7 @@ class WorkingSurface {
       return a.corners < b.corners;
     };
     std::vector<LocatedTriangle> result;
+    result.reserve(triangles_.size());
     for (TriangleIndex t = 0; t < triangles_.size(); ++t)
       if (is_there_[t]) result.push_back(triangles_[t]);
     // Most stood there from the start, in order.

@@ -1,4 +1,4 @@
-#include "delaunay/huge_pages_internal.h"
+#include "delaunay/cell_vector.h"
 
 #if __has_include(<sys/mman.h>)
 #include <sys/mman.h>

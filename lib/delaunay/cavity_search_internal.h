@@ -1,0 +1,84 @@
+/// @file
+/// The inner loop of the search for a cavity; for bowyer_watson3*.cpp alone.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+#include "delaunay/triangulation3.h"
+
+namespace delaunay {
+
+// Marks of the insertion under way: the signs of Cell::inside2 (in the cavity)
+// and Cell::outside2 (next to it).
+inline std::uint32_t is_marked(float x) {
+  return std::bit_cast<std::uint32_t>(x) >> 31U;
+}
+inline void mark_if(std::uint32_t yes, float& x) {
+  x = std::bit_cast<float>(std::bit_cast<std::uint32_t>(x) | yes << 31U);
+}
+inline void unmark(float& x) { x = std::abs(x); }
+
+inline double squared_distance(const Cell& cell, const double* p) {
+  const double x = p[0] - cell.center[0];
+  const double y = p[1] - cell.center[1];
+  const double z = p[2] - cell.center[2];
+  return x * x + y * y + z * z;
+}
+
+/// Whether a cell is in the cavity cannot be predicted, so nothing branches on
+/// it: a facet is written behind both lists, and then they count it or do not.
+/// The marks make the two comparisons right for cells seen before: a negated
+/// inside2 denies "inside", a negated outside2 affirms "outside". So a cell of
+/// the cavity is passed over, and one next to it gives one more facet of the
+/// boundary.
+struct CavitySearch {
+  Cell* cells;
+  Facet* cavity;
+  Facet* boundary;
+  std::array<double, 3> p;  // what is inserted
+  std::size_t n_cavity = 0;
+  std::size_t n_boundary = 0;
+
+  /// @return 1 if the exact predicate has to decide, otherwise 0
+  std::uint32_t look(Facet f) {
+    const Cell& cell = cells[index(f.cell())];
+    const double d2 = squared_distance(cell, p.data());
+    const std::uint32_t inside = d2 < cell.inside2 ? 1 : 0;
+    const std::uint32_t outside = d2 > cell.outside2 ? 1 : 0;
+    const std::uint32_t in_cavity = is_marked(cell.inside2);
+    add(f, inside, outside);
+    return (inside | outside | in_cavity) ^ 1U;
+  }
+  bool has_seen(Facet f) const {
+    const Cell& cell = cells[index(f.cell())];
+    return (is_marked(cell.inside2) | is_marked(cell.outside2)) != 0;
+  }
+  void add(Facet f, bool inside) { add(f, inside ? 1 : 0, inside ? 0 : 1); }
+
+  /// Length of the lists that suffices for four more calls.
+  std::size_t needed_room() const { return std::max(n_cavity, n_boundary) + 4; }
+  /// The cell whose neighbours should be on their way to the cache while the
+  /// k-th is searched. With 200000 uniform points, distances from 0 to 6
+  /// differ by 4 %; 2 and 3 are best.
+  Facet ahead(std::size_t k) const {
+    return cavity[std::min(k + 3, n_cavity - 1)];
+  }
+
+ private:
+  void add(Facet f, std::uint32_t inside, std::uint32_t outside) {
+    Cell& cell = cells[index(f.cell())];
+    cavity[n_cavity] = f;
+    n_cavity += inside;
+    mark_if(inside, cell.inside2);
+    boundary[n_boundary] = f;
+    n_boundary += outside;
+    mark_if(outside, cell.outside2);
+  }
+};
+
+}  // namespace delaunay

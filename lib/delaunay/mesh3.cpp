@@ -1,0 +1,90 @@
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "delaunay/mesh3_internal.h"
+
+namespace delaunay {
+namespace {
+
+/// The lattice of the largest power of two that divides all coordinates; none
+/// if they are not multiples of 2^-40 below 2^22.
+predicates::Lattice find_lattice(std::span<const Point3> points) {
+  constexpr double kFinest = 0x1p-40;
+  std::uint64_t bits = 0;
+  for (const Point3& p : points)
+    for (const double x : p) {
+      const double multiple = std::abs(x) / kFinest;
+      if (!(multiple < 0x1p62)) return predicates::Lattice();
+      const auto n = static_cast<std::uint64_t>(multiple);
+      if (static_cast<double>(n) != multiple) return predicates::Lattice();
+      bits |= n;
+    }
+  return predicates::Lattice(std::ldexp(kFinest, std::countr_zero(bits)));
+}
+
+}  // namespace
+
+Mesh3::Mesh3(std::span<const Point3> points, unsigned n_inserters)
+    : sites(points.size()), lattice(find_lattice(points)) {
+  for (std::size_t i = 0; i < points.size(); ++i)
+    sites[i].at = {points[i][0], points[i][1], points[i][2]};
+  // Uniform points make 6.8 cells each, scanned surfaces 6 to 9. Memory that
+  // is never touched costs nothing.
+  make_room(points.size() * 7 + n_inserters * FreshCells::kBlock);
+}
+
+void Mesh3::make_room(std::size_t n) {
+  if (n <= cells.size()) return;
+  if (n > max_cells)
+    throw std::length_error("Delaunay triangulation has over " +
+                            std::to_string(max_cells) + " cells");
+  cells.resize(std::min(std::max(n, 2 * cells.size()), max_cells));
+}
+
+void Mesh3::link(Facet a, Facet b) {
+  cells[index(a.cell())].neighbor[a.index()] = b;
+  cells[index(b.cell())].neighbor[b.index()] = a;
+}
+
+void Mesh3::relocate(CellId from, CellId to) {
+  cells[index(to)] = cells[index(from)];
+  remove(cells[index(from)]);
+  for (unsigned i = 0; i < 4; ++i)
+    link(Facet(to, i), cells[index(to)].neighbor[i]);
+}
+
+// Moves the cells with `keep` to the front, from `first` on; what was in
+// their place moves to theirs. Returns the end of the front.
+template <class Keep>
+std::size_t Mesh3::gather(std::size_t first, Keep keep) {
+  std::size_t last = cells.size();
+  cells.emplace_back(Cell{});  // room to swap
+  const CellId spare{static_cast<std::uint32_t>(last)};
+  for (;; ++first) {
+    while (first < last && keep(cells[first])) ++first;
+    while (first < last && !keep(cells[last - 1])) --last;
+    if (first == last) break;
+    --last;
+    const CellId front{static_cast<std::uint32_t>(first)};
+    const CellId back{static_cast<std::uint32_t>(last)};
+    const bool is_gap = !is_cell(cells[first]);
+    if (!is_gap) relocate(front, spare);
+    relocate(back, front);
+    if (!is_gap) relocate(spare, back);
+  }
+  cells.pop_back();
+  return first;
+}
+
+std::size_t Mesh3::compact(std::size_t end) {
+  cells.resize(end);
+  const std::size_t n_finite =
+      gather(0, [](const Cell& c) { return is_cell(c) && !c.is_infinite(); });
+  cells.resize(gather(n_finite, is_cell));
+  return n_finite;
+}
+
+}  // namespace delaunay

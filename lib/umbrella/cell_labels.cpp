@@ -1,0 +1,64 @@
+// First labels by a union-find with parity, worst-first; then cells are
+// switched until the surface is manifold; from there on by moves that keep it
+// so. Each step is deterministic, and has a proof of its end in docs/labels.md.
+#include "umbrella/cell_labels.h"
+
+#include <algorithm>
+
+#include "umbrella/label_frame_internal.h"
+#include "umbrella/label_mending_internal.h"
+#include "umbrella/label_moves_internal.h"
+
+namespace umbrella {
+namespace {
+
+bool has_faults(Labelling& labels) {
+  StarParts parts;
+  const std::size_t n = labels.triangulation().points().size();
+  for (std::uint32_t v = 0; v < n; ++v) {
+    labels.find_parts(VertexId{v}, parts);
+    if (parts.n_faults() > 0) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+CellLabelResult close_by_cell_labels(
+    const delaunay::Triangulation3& triangulation,
+    std::span<const LocatedTriangle> kept, std::span<const VertexId> open,
+    const CellLabelOptions& options) {
+  CellLabelResult result;
+  if (triangulation.dimension() < 3) return result;
+  LabelFrame frame(triangulation, options.weight, kept, open);
+  Labelling labels(triangulation);
+  label_worst_first(frame, kept, labels);
+  if (has_faults(labels)) {
+    const auto held = held_by_cut(frame, kept, labels);
+    frame.keep(held);
+    label_worst_first(frame, held, labels);
+  }
+  result.report.mended = LabelMending(frame, labels).run();
+
+  LabelMoves moves(frame, labels);
+  const auto is_stopped = [&] {
+    return options.stop != nullptr && *options.stop;
+  };
+  bool goes_on = true;
+  while (goes_on && !is_stopped()) {
+    result.report.dissolved += moves.dissolve(options.piece_triangles);
+    std::size_t n = moves.bring_in(unused_vertices(labels));
+    n += moves.reach(unused_vertices(labels));
+    const std::size_t n_exchanged = moves.exchange();
+    result.report.brought_in += n;
+    result.report.improvements += n_exchanged;
+    goes_on = n_exchanged > 0 && !unused_vertices(labels).empty();
+  }
+  result.triangles = labels.surface();
+  result.left_out = unused_vertices(labels);
+  for (const LocatedTriangle& t : kept)
+    result.report.given_up += labels.is_on_surface(t.facet) ? 0 : 1;
+  return result;
+}
+
+}  // namespace umbrella

@@ -1,0 +1,202 @@
+#include "umbrella/curve_auto.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <utility>
+
+#include "umbrella/curve_descent_internal.h"
+#include "umbrella/curve_graph_internal.h"
+#include "umbrella/curve_links_internal.h"
+#include "umbrella/curve_picks_internal.h"
+#include "umbrella/curve_pieces_internal.h"
+#include "umbrella/curve_spacing_internal.h"
+
+// Links that both ends pick are taken as they are [Adamy02, Sec. 3.1]. Near
+// vertices that lack links, and near links that look like gaps, the links are
+// exchanged until they are of low cost (curve_descent), small closed pieces are
+// joined to what lies near them, and curves so changed are made shortest
+// (curve_tour). docs/curve.md "Auto" has the constants and what chose them.
+
+namespace umbrella {
+namespace {
+
+using delaunay::Triangulation2;
+using delaunay::VertexId;
+
+// Half a gap, in spacings, for even samples, and how it grows with the spread.
+constexpr double kEndPrice = 2;
+constexpr double kSpreadPower = 3;
+// Spacings that joining a piece may cost, as a part of kEndPrice.
+constexpr double kJoinPart = 0.75;
+
+double end_price(const CurveAutoOptions& options, const Triangulation2& t,
+                 const CurveLinks& agreed) {
+  if (options.gap) return *options.gap / 2;
+  return kEndPrice * std::pow(spread(t, agreed), kSpreadPower);
+}
+
+/// Prices and spacings, by the links that both ends have picked; kept, for they
+/// are asked for often.
+class Spacings {
+ public:
+  Spacings(CurveGraph& graph, const CurveLinks& agreed)
+      : graph_(graph), agreed_(agreed), known_(agreed.n_vertices()) {}
+
+  double operator()(VertexId v) {
+    double& known = known_[index(v)];
+    if (known == 0) known = spacing(graph_, agreed_, v);
+    return known;
+  }
+
+ private:
+  CurveGraph& graph_;
+  const CurveLinks& agreed_;
+  std::vector<double> known_;  // 0: not yet
+};
+
+/// Vertices that lack links, or have one that may be a gap.
+std::vector<VertexId> ambiguous(const Triangulation2& t,
+                                const CurvePicks& picks,
+                                const CurveLinks& agreed, double price) {
+  std::vector<VertexId> found;
+  for (std::uint32_t i = 0; i < picks.size(); ++i) {
+    const VertexId v{i};
+    if (!agreed.is_full(v)) {
+      found.push_back(v);
+      continue;
+    }
+    // A gap is at least twice the price longer than the median of the links
+    // about it, so also than the shorter one here, but where gaps follow gaps.
+    const auto& [one, other] = picks[i];
+    const auto [least, most] = std::minmax(one.length2, other.length2);
+    if (most <= 4 * price * price * least) continue;
+    const CurvePick& longer = one.length2 > other.length2 ? one : other;
+    const double spacing = std::min(link_spacing(t, agreed, v),
+                                    link_spacing(t, agreed, longer.other));
+    if (std::sqrt(longer.length2) > 2 * price * spacing) found.push_back(v);
+  }
+  return found;
+}
+
+class AutoCurves {
+ public:
+  AutoCurves(const Triangulation2& t, const CurveAutoOptions& options)
+      : t_(t),
+        options_(options),
+        picked_(pick_edges(t)),
+        links_(agreed_links(picked_.picks)) {}
+
+  CurveAutoResult run() {
+    count_picks();
+    const double price = end_price(options_, t_, links_);
+    report_.gap = 2 * price;
+    const std::vector<VertexId> doubtful =
+        ambiguous(t_, picked_.picks, links_, price);
+    report_.ambiguous = doubtful.size();
+    if (!doubtful.empty() || options_.join_all) mend(doubtful, price);
+    return result();
+  }
+
+ private:
+  void mend(const std::vector<VertexId>& doubtful, double price) {
+    CurveGraph& graph = graph_.emplace(t_);
+    const CurveLinks agreed = links_;
+    Spacings spacings(graph, agreed);
+    const auto spacing_at = [&](VertexId v) { return spacings(v); };
+    CurveDescent descent(graph, links_,
+                         [&](VertexId v) { return price * spacings(v); });
+    descent.run(with_neighbors(graph, doubtful));
+    report_.moves = descent.n_moves();
+
+    std::vector<VertexId> changed = doubtful;
+    changed.insert(changed.end(), descent.changed().begin(),
+                   descent.changed().end());
+    make_distinct(changed);
+    join(graph, {spacing_at, kJoinPart * price, price}, changed);
+    if (!options_.join_all)
+      report_.tours = shorten_pieces(graph, links_, changed);
+  }
+
+  void join(CurveGraph& graph, PieceRules rules,
+            std::vector<VertexId>& changed) {
+    std::vector<VertexId> seeds = changed;
+    if (options_.join_all) {
+      rules.most = std::numeric_limits<double>::infinity();
+      for (std::uint32_t v = 0; v < links_.n_vertices(); ++v)
+        seeds.push_back(VertexId{v});
+    }
+    std::size_t n_joined = 0;
+    do {
+      n_joined = join_pieces(graph, links_, seeds, rules, changed);
+      report_.joined += n_joined;
+    } while (options_.join_all && n_joined > 0);
+    make_distinct(changed);
+  }
+
+  static void make_distinct(std::vector<VertexId>& vertices) {
+    std::ranges::sort(vertices);
+    vertices.erase(std::unique(vertices.begin(), vertices.end()),
+                   vertices.end());
+  }
+
+  static std::vector<VertexId> with_neighbors(
+      CurveGraph& graph, const std::vector<VertexId>& vertices) {
+    std::vector<VertexId> all = vertices;
+    for (const VertexId v : vertices)
+      for (const CurveGraph::Arc& arc : graph.arcs(v)) all.push_back(arc.to);
+    make_distinct(all);
+    return all;
+  }
+
+  void count_picks() {
+    std::size_t n_agreed = 0;
+    for (std::uint32_t v = 0; v < picked_.picks.size(); ++v) {
+      if (picked_.picks[v][1].other == CurveLinks::kNone)
+        ++report_.without_umbrella;
+      else
+        report_.filter_edges += 2;
+      for (const VertexId w : links_[VertexId{v}])
+        n_agreed += w != CurveLinks::kNone && VertexId{v} < w ? 1 : 0;
+    }
+    report_.filter_edges -= n_agreed;
+    report_.gabriel_edges = picked_.n_gabriel;
+  }
+
+  double lambda_of(VertexId v, VertexId w) {
+    if (w == CurveLinks::kNone) return 0;
+    for (const CurvePick& pick : picked_.picks[index(v)])
+      if (pick.other == w) return std::sqrt(pick.lambda2);
+    return graph_->arc(v, w)->lambda;
+  }
+
+  CurveAutoResult result() {
+    CurveAutoResult result;
+    result.report = report_;
+    result.links.reserve(links_.n_vertices());
+    result.lambda.reserve(links_.n_vertices());
+    for (std::uint32_t i = 0; i < links_.n_vertices(); ++i) {
+      const VertexId v{i};
+      const auto& [w, x] = result.links.emplace_back(links_[v]);
+      result.lambda.push_back({lambda_of(v, w), lambda_of(v, x)});
+    }
+    return result;
+  }
+
+  const Triangulation2& t_;
+  CurveAutoOptions options_;
+  PickedEdges picked_;
+  CurveLinks links_;
+  std::optional<CurveGraph> graph_;  // where there was something to mend
+  CurveAutoReport report_;
+};
+
+}  // namespace
+
+CurveAutoResult auto_curves(const Triangulation2& triangulation,
+                            const CurveAutoOptions& options) {
+  return AutoCurves(triangulation, options).run();
+}
+
+}  // namespace umbrella

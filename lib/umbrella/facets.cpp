@@ -1,0 +1,38 @@
+#include "umbrella/facets.h"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace umbrella {
+
+std::vector<delaunay::Facet> facets(
+    const delaunay::Triangulation3& triangulation) {
+  std::vector<delaunay::Facet> result;
+  FacetBlocks blocks(triangulation);
+  for (auto block = blocks.next(); !block.empty(); block = blocks.next())
+    result.insert(result.end(), block.begin(), block.end());
+  return result;
+}
+
+std::span<delaunay::Facet> FacetBlocks::next() {
+  const std::size_t n_cells = triangulation_->n_finite_cells();
+  std::size_t n = 0;
+  // A cell all of whose neighbours come before it gives none: the next may.
+  while (n == 0 && next_cell_ < n_cells) {
+    const std::size_t end = std::min(next_cell_ + kCells, n_cells);
+    for (; next_cell_ < end; ++next_cell_) {
+      const delaunay::CellId c{static_cast<std::uint32_t>(next_cell_)};
+      for (unsigned k = 0; k < 4; ++k) {
+        const delaunay::CellId beyond =
+            triangulation_->cell(c).neighbor[k].cell();
+        __builtin_prefetch(&triangulation_->cell(beyond));
+        // Written always and kept or not: which it is, no processor can guess.
+        block_[n] = delaunay::Facet(c, k);
+        n += c < beyond ? 1 : 0;
+      }
+    }
+  }
+  return std::span(block_).first(n);
+}
+
+}  // namespace umbrella

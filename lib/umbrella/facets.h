@@ -1,0 +1,39 @@
+/// @file
+/// The triangles of a triangulation, one after another.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "delaunay/triangulation3.h"
+
+namespace umbrella {
+
+/// Each triangle of the triangulation once, as the facet it is in the cell with
+/// the smaller id.
+std::vector<delaunay::Facet> facets(
+    const delaunay::Triangulation3& triangulation);
+
+/// Some of them at a time, at most kLargest, in memory that stays in the cache.
+class FacetBlocks {
+ public:
+  explicit FacetBlocks(const delaunay::Triangulation3& triangulation)
+      : triangulation_(&triangulation) {}
+
+  /// The next ones, which the caller may overwrite; none at the end. Valid
+  /// until the next call.
+  std::span<delaunay::Facet> next();
+
+  static constexpr std::size_t kLargest = 256;
+
+ private:
+  static constexpr std::size_t kCells = kLargest / 4;
+
+  const delaunay::Triangulation3* triangulation_;
+  std::size_t next_cell_ = 0;
+  std::array<delaunay::Facet, kLargest> block_;
+};
+
+}  // namespace umbrella

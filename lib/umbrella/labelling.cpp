@@ -1,0 +1,127 @@
+#include <algorithm>
+
+#include "umbrella/labelling_internal.h"
+
+namespace umbrella {
+
+using delaunay::Cell;
+using delaunay::CellId;
+using delaunay::Facet;
+using delaunay::Triangulation3;
+
+void StarParts::clear() {
+  cells_.clear();
+  begin_.clear();
+  is_inside_.clear();
+  n_inside_ = 0;
+}
+
+void StarParts::begin_part(bool is_inside) {
+  begin_.push_back(cells_.size());
+  is_inside_.push_back(is_inside);
+  n_inside_ += is_inside ? 1 : 0;
+}
+
+Labelling::Labelling(const Triangulation3& triangulation)
+    : triangulation_(triangulation),
+      is_inside_(triangulation.cells().size()),
+      n_triangles_(triangulation.points().size()),
+      cell_of_vertex_(triangulation.points().size()),
+      seen_(triangulation.cells().size()) {
+  for (std::size_t c = triangulation.n_finite_cells(); c-- > 0;)
+    for (const VertexId v : triangulation.cells()[c].vertex)
+      cell_of_vertex_[index(v)] = CellId{static_cast<std::uint32_t>(c)};
+}
+
+unsigned Labelling::surface_facets(CellId c) const {
+  unsigned facets = 0;
+  for (unsigned i = 0; i < 4; ++i)
+    if (is_on_surface(Facet(c, i))) facets |= 1U << i;
+  return facets;
+}
+
+void Labelling::flip(CellId c) {
+  const Cell& cell = triangulation_.cell(c);
+  for (unsigned i = 0; i < 4; ++i) {
+    const std::uint32_t change = is_on_surface(Facet(c, i)) ? ~0U : 1U;
+    for (const unsigned k : delaunay::kFacetCorners[i])
+      n_triangles_[index(cell.vertex[k])] += change;  // wraps: minus one
+  }
+  n_inside_ += is_inside(c) ? ~std::size_t{0} : std::size_t{1};
+  is_inside_[index(c)] ^= 1U;
+}
+
+void Labelling::find_parts(VertexId v, StarParts& parts) {
+  ++n_walks_;
+  parts.clear();
+  pending_ = {cell_of_vertex_[index(v)]};
+  auto& cells = parts.cells_;
+  const auto enter = [&](CellId c) {
+    seen_[index(c)] = n_walks_;
+    cells.push_back(c);
+  };
+  while (!pending_.empty()) {
+    const CellId start = pending_.back();
+    pending_.pop_back();
+    if (seen_[index(start)] == n_walks_) continue;
+    const bool side = is_inside(start);
+    parts.begin_part(side);
+    enter(start);
+    for (std::size_t next = cells.size() - 1; next < cells.size(); ++next) {
+      const Cell& cell = triangulation_.cell(cells[next]);
+      for (unsigned i = 0; i < 4; ++i) {
+        const CellId beyond = cell.neighbor[i].cell();
+        if (cell.vertex[i] == v || seen_[index(beyond)] == n_walks_) continue;
+        if (is_inside(beyond) == side)
+          enter(beyond);
+        else
+          pending_.push_back(beyond);
+      }
+    }
+  }
+}
+
+bool Labelling::is_edge_used(CellId c, unsigned i, unsigned k) const {
+  const Cell& start = triangulation_.cell(c);
+  const VertexId a = start.vertex[i], b = start.vertex[k];
+  // Around the edge, leaving each cell by the facet it was not entered by.
+  VertexId pivot = start.vertex[i == 0 || k == 0 ? (i + k == 1 ? 2 : 1) : 0];
+  CellId at = c;
+  do {
+    const Cell& cell = triangulation_.cell(at);
+    unsigned out = 0;
+    while (cell.vertex[out] != pivot) ++out;
+    if (is_on_surface(Facet(at, out))) return true;
+    // The corner of this cell that is neither on the edge nor across.
+    for (const VertexId v : cell.vertex)
+      if (v != a && v != b && v != cell.vertex[out]) pivot = v;
+    at = cell.neighbor[out].cell();
+  } while (at != c);
+  return false;
+}
+
+Triangle sorted_corners(const Triangulation3& triangulation, Facet facet) {
+  const Cell& cell = triangulation.cell(facet.cell());
+  Triangle t;
+  for (unsigned k = 0; k < 3; ++k)
+    t[k] = cell.vertex[delaunay::kFacetCorners[facet.index()][k]];
+  std::sort(t.begin(), t.end());
+  return t;
+}
+
+std::vector<LocatedTriangle> Labelling::surface() const {
+  std::vector<LocatedTriangle> result;
+  for (std::uint32_t c = 0; c < triangulation_.n_finite_cells(); ++c)
+    for (unsigned i = 0; i < 4; ++i) {
+      const Facet facet(CellId{c}, i);
+      if (is_on_surface(facet) && c < index(cell(CellId{c}).neighbor[i].cell()))
+        result.push_back({sorted_corners(triangulation_, facet), facet});
+    }
+  std::sort(result.begin(), result.end(),
+            [](const LocatedTriangle& a, const LocatedTriangle& b) {
+              return a.corners < b.corners;
+            });
+  return result;
+}
+
+}  // namespace umbrella

@@ -1,0 +1,109 @@
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+
+#include "umbrella/parity_sets_internal.h"
+#include "umbrella/rooms_internal.h"
+
+namespace umbrella {
+namespace {
+
+using delaunay::Cell;
+using delaunay::Facet;
+using delaunay::kFacetCorners;
+
+constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+class Rooms {
+ public:
+  Rooms(const CellSet& cells, const RegionTriangles& triangles)
+      : cells_(cells),
+        triangles_(triangles),
+        kind_(4 * cells.cells().size(), Kind::Absent),
+        sides_(cells.cells().size() + 1) {}
+
+  std::vector<ilp::Wall> walls();
+
+ private:
+  enum class Kind : std::uint8_t { Absent, Fixed, Candidate };
+
+  void mark(std::span<const LocatedTriangle> triangles, Kind kind);
+  void mark(Facet facet, Kind kind);
+  bool join_known();
+  bool is_known(const Cell& cell, unsigned i) const;
+  bool is_program_vertex(VertexId v) const {
+    return std::binary_search(triangles_.vertices.begin(),
+                              triangles_.vertices.end(), v);
+  }
+
+  const CellSet& cells_;
+  const RegionTriangles& triangles_;
+  std::vector<Kind> kind_;  // of facet i of the cell at position p: 4 p + i
+  ParitySets sides_;        // of cells by position, and of what is beyond
+};
+
+void Rooms::mark(Facet facet, Kind kind) {
+  const std::uint32_t p = cells_.position(facet.cell());
+  if (p < cells_.cells().size()) kind_[4 * p + facet.index()] = kind;
+}
+
+void Rooms::mark(std::span<const LocatedTriangle> triangles, Kind kind) {
+  for (const LocatedTriangle& t : triangles) {
+    mark(t.facet, kind);
+    mark(cells_.opposite(t.facet), kind);
+  }
+}
+
+bool Rooms::is_known(const Cell& cell, unsigned i) const {
+  bool has_vertex = false, all_open = true;
+  for (const unsigned k : kFacetCorners[i]) {
+    has_vertex = has_vertex || is_program_vertex(cell.vertex[k]);
+    all_open = all_open && triangles_.is_open[index(cell.vertex[k])];
+  }
+  return has_vertex && !all_open;
+}
+
+/// @return false if what is known contradicts itself
+bool Rooms::join_known() {
+  for (std::uint32_t p = 0; p < cells_.cells().size(); ++p) {
+    const Cell& cell = cells_.cell(p);
+    for (unsigned i = 0; i < 4; ++i) {
+      const std::uint32_t beyond = cells_.position(cell.neighbor[i].cell());
+      const Kind kind = kind_[4 * p + i];
+      if (beyond < p || beyond == kNone || kind == Kind::Candidate) continue;
+      if (kind == Kind::Absent && !is_known(cell, i)) continue;
+      if (!sides_.relate(p, beyond, kind == Kind::Fixed ? 1 : 0)) return false;
+    }
+  }
+  return true;
+}
+
+std::vector<ilp::Wall> Rooms::walls() {
+  mark(triangles_.fixed, Kind::Fixed);
+  mark(triangles_.candidates, Kind::Candidate);
+  if (!join_known()) return {};
+  std::vector<std::uint32_t> name(cells_.cells().size() + 1, kNone);
+  std::uint32_t n_rooms = 0;
+  const auto room = [&](std::uint32_t root) {
+    if (name[root] == kNone) name[root] = n_rooms++;
+    return name[root];
+  };
+  std::vector<ilp::Wall> walls;
+  for (std::uint32_t i = 0; i < triangles_.candidates.size(); ++i) {
+    const Facet facet = triangles_.candidates[i].facet;
+    const auto a = sides_.find(cells_.position(facet.cell()));
+    const auto b = sides_.find(cells_.position(cells_.opposite(facet).cell()));
+    walls.push_back(
+        {ilp::VarId{i}, room(a.root), room(b.root), a.parity != b.parity});
+  }
+  return walls;
+}
+
+}  // namespace
+
+std::vector<ilp::Wall> walls_between_rooms(const CellSet& cells,
+                                           const RegionTriangles& triangles) {
+  return Rooms(cells, triangles).walls();
+}
+
+}  // namespace umbrella

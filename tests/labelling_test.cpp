@@ -1,0 +1,334 @@
+// The steps of closing by cell labels, each against enumeration or the
+// certificate.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <random>
+#include <vector>
+
+#include "apps/shapes.h"
+#include "umbrella/cell_cut_internal.h"
+#include "umbrella/certificate.h"
+#include "umbrella/label_frame_internal.h"
+#include "umbrella/label_mending_internal.h"
+#include "umbrella/labelling_internal.h"
+#include "umbrella/parity_sets_internal.h"
+
+namespace umbrella {
+namespace {
+
+using delaunay::CellId;
+using delaunay::Facet;
+using delaunay::Triangulation3;
+
+CellId cell_id(std::size_t c) { return CellId{static_cast<std::uint32_t>(c)}; }
+
+Triangulation3 cloud(std::size_t n, std::uint64_t seed) {
+  return Triangulation3(shapes::sample("uniform", n, {.seed = seed}));
+}
+
+std::vector<Facet> all_facets(const Triangulation3& t) {
+  std::vector<Facet> result;
+  for (std::size_t c = 0; c < t.n_finite_cells(); ++c)
+    for (unsigned i = 0; i < 4; ++i)
+      if (c < index(t.cell(cell_id(c)).neighbor[i].cell()))
+        result.emplace_back(cell_id(c), i);
+  return result;
+}
+
+std::vector<VertexId> all_vertices(const Triangulation3& t) {
+  std::vector<VertexId> all;
+  for (std::uint32_t v = 0; v < t.points().size(); ++v)
+    all.push_back(VertexId{v});
+  return all;
+}
+
+void randomize(Labelling& labels, std::mt19937_64& rng) {
+  for (std::size_t c = 0; c < labels.triangulation().n_finite_cells(); ++c)
+    if (rng() % 2 == 0) labels.flip(cell_id(c));
+}
+
+/// Labels of the finite cells as the bits of a number.
+void assign(Labelling& labels, std::uint32_t bits) {
+  for (std::size_t c = 0; c < labels.triangulation().n_finite_cells(); ++c)
+    if (labels.is_inside(cell_id(c)) != ((bits >> c & 1U) != 0))
+      labels.flip(cell_id(c));
+}
+
+SurfaceReport judged(const Labelling& labels) {
+  std::vector<IndexedTriangle> triangles;
+  for (const LocatedTriangle& t : labels.surface())
+    triangles.push_back({static_cast<std::uint32_t>(t.corners[0]),
+                         static_cast<std::uint32_t>(t.corners[1]),
+                         static_cast<std::uint32_t>(t.corners[2])});
+  return check_surface(labels.triangulation().points(), triangles);
+}
+
+TEST(ParitySets, KnowTheParityOfEveryPathOfRelations) {
+  std::mt19937_64 rng(3);
+  for (int trial = 0; trial < 100; ++trial) {
+    const std::size_t n = 2 + rng() % 40;
+    std::vector<std::uint32_t> truth(n);
+    for (auto& t : truth) t = rng() % 2;
+    ParitySets sets(n);
+    for (std::size_t k = 0; k < 2 * n; ++k) {
+      const std::size_t a = rng() % n, b = rng() % n;
+      EXPECT_TRUE(sets.relate(a, b, truth[a] ^ truth[b]));
+      if (a != b) {
+        EXPECT_FALSE(sets.relate(b, a, truth[a] ^ truth[b] ^ 1U));
+      }
+      EXPECT_EQ(sets.find(a).root, sets.find(b).root);
+    }
+  }
+}
+
+TEST(Labelling, HasFaultsWhereTheCertificateSaysSo) {
+  for (std::uint64_t trial = 0; trial < 200; ++trial) {
+    SCOPED_TRACE(testing::Message() << "trial " << trial);
+    std::mt19937_64 rng(trial);
+    const Triangulation3 t = cloud(5 + rng() % 8, trial);
+    Labelling labels(t);
+    randomize(labels, rng);
+    const SurfaceReport report = judged(labels);
+    std::size_t n_faulty = 0, n_unused = 0;
+    StarParts parts;
+    for (const VertexId v : all_vertices(t)) {
+      labels.find_parts(v, parts);
+      n_faulty += parts.n_faults() > 0 ? 1 : 0;
+      n_unused += labels.is_used(v) ? 0 : 1;
+      EXPECT_EQ(labels.is_used(v), parts.size() > 1);
+    }
+    EXPECT_EQ(n_faulty, report.nonmanifold_vertices);
+    EXPECT_EQ(n_unused, report.unused_vertices.size());
+    EXPECT_EQ(report.boundary_edges, 0U);
+  }
+}
+
+TEST(Labelling, KnowsWhichEdgesAreOnTheSurface) {
+  std::mt19937_64 rng(5);
+  const Triangulation3 t = cloud(12, 5);
+  Labelling labels(t);
+  for (int trial = 0; trial < 20; ++trial) {
+    randomize(labels, rng);
+    const auto surface = labels.surface();
+    for (std::size_t c = 0; c < t.n_finite_cells(); ++c)
+      for (unsigned i = 0; i < 4; ++i)
+        for (unsigned k = 0; k < 4; ++k) {
+          if (i == k) continue;
+          const VertexId a = t.cell(cell_id(c)).vertex[i];
+          const VertexId b = t.cell(cell_id(c)).vertex[k];
+          const bool is_used = std::ranges::any_of(
+              surface, [&](const LocatedTriangle& triangle) {
+                const auto& corners = triangle.corners;
+                return std::ranges::count(corners, a) > 0 &&
+                       std::ranges::count(corners, b) > 0;
+              });
+          EXPECT_EQ(labels.is_edge_used(cell_id(c), i, k), is_used);
+        }
+  }
+}
+
+/// Sets of few cells.
+template <class Visit>
+void for_each_small_cloud(std::size_t n_sets, Visit visit) {
+  for (std::uint64_t seed = 0; n_sets > 0; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    std::mt19937_64 rng(seed);
+    const Triangulation3 t = cloud(5 + seed % 3, seed);
+    if (t.n_finite_cells() > 11) continue;
+    --n_sets;
+    visit(t, rng);
+  }
+}
+
+/// Weights of the triangles that are not kept, the worst first.
+std::vector<double> worst_first(const LabelFrame& frame,
+                                const Labelling& labels,
+                                std::span<const Facet> facets) {
+  std::vector<double> weights;
+  for (const Facet f : facets)
+    if (labels.is_on_surface(f) && !frame.is_kept(f))
+      weights.push_back(frame.badness(f));
+  std::ranges::sort(weights, std::greater<>());
+  return weights;
+}
+
+TEST(LabelWorstFirst, IsTheLeastOfAllThatKeepTheSame) {
+  for_each_small_cloud(60, [](const Triangulation3& t, std::mt19937_64& rng) {
+    const auto facets = all_facets(t);
+    std::vector<LocatedTriangle> kept;
+    for (const Facet f : facets)
+      if (rng() % 6 == 0) kept.push_back({sorted_corners(t, f), f});
+    const auto open = all_vertices(t);
+    const LabelFrame frame(t, CloseWeight::Circumradius, kept, open);
+    Labelling labels(t);
+    label_worst_first(frame, kept, labels);
+    const auto holds = [&](const Labelling& l, const LocatedTriangle& k) {
+      return l.is_on_surface(k.facet);
+    };
+    if (kept.empty()) return;
+    const auto found = worst_first(frame, labels, facets);
+    Labelling other(t);
+    for (std::uint32_t bits = 0; bits < 1U << t.n_finite_cells(); ++bits) {
+      assign(other, bits);
+      if (std::ranges::all_of(kept, [&](const LocatedTriangle& k) {
+            return holds(other, k) == holds(labels, k);
+          })) {
+        EXPECT_LE(found, worst_first(frame, other, facets));
+      }
+    }
+  });
+}
+
+/// Random costs of facets and cells; what labels cost.
+struct CutProblem {
+  const Triangulation3& t;
+  std::vector<Facet> facets;
+  std::vector<CellCut::Cost> cost, preference;
+
+  CutProblem(const Triangulation3& triangulation, std::mt19937_64& rng)
+      : t(triangulation), facets(all_facets(triangulation)) {
+    for (std::size_t i = 0; i < facets.size(); ++i)
+      cost.push_back(static_cast<CellCut::Cost>(rng() % 20));
+    for (std::size_t c = 0; c < t.n_finite_cells(); ++c) {
+      preference.push_back(static_cast<CellCut::Cost>(rng() % 61) - 25);
+      if (rng() % 8 == 0) preference.back() = CellCut::kInfinite / 1024;
+    }
+  }
+
+  CellCut solved() const {
+    CellCut cut(t);
+    for (std::size_t i = 0; i < facets.size(); ++i)
+      cut.set_cost(facets[i], cost[i]);
+    for (std::size_t c = 0; c < preference.size(); ++c)
+      cut.add_preference(cell_id(c), preference[c]);
+    EXPECT_TRUE(cut.run(std::numeric_limits<std::uint64_t>::max()));
+    return cut;
+  }
+
+  template <class IsInside>
+  CellCut::Cost total(IsInside is_inside) const {
+    CellCut::Cost sum = 0;
+    for (std::size_t c = 0; c < preference.size(); ++c)
+      if (!is_inside(cell_id(c))) sum += preference[c];
+    for (std::size_t i = 0; i < facets.size(); ++i) {
+      const Facet f = facets[i];
+      const CellId beyond = t.cell(f.cell()).neighbor[f.index()].cell();
+      if (is_inside(f.cell()) != is_inside(beyond)) sum += cost[i];
+    }
+    return sum;
+  }
+};
+
+TEST(CellCut, IsTheCheapestOfAll) {
+  for_each_small_cloud(150, [](const Triangulation3& t, std::mt19937_64& rng) {
+    const CutProblem problem(t, rng);
+    const CellCut cut = problem.solved();
+    const auto found =
+        problem.total([&](CellId c) { return cut.is_inside(c); });
+    for (std::uint32_t bits = 0; bits < 1U << t.n_finite_cells(); ++bits)
+      EXPECT_LE(found, problem.total([&](CellId c) {
+        return index(c) < t.n_finite_cells() && (bits >> index(c) & 1U) != 0;
+      }));
+  });
+}
+
+/// Flow from cell to cell along shortest ways, until there is none.
+class PlainFlow {
+ public:
+  explicit PlainFlow(const CutProblem& problem)
+      : source_(problem.t.cells().size()),
+        sink_(source_ + 1),
+        left_(sink_ + 1, std::vector<CellCut::Cost>(sink_ + 1)) {
+    for (std::size_t i = 0; i < problem.facets.size(); ++i) {
+      const Facet f = problem.facets[i];
+      const auto beyond = problem.t.cell(f.cell()).neighbor[f.index()].cell();
+      left_[index(f.cell())][index(beyond)] += problem.cost[i];
+      left_[index(beyond)][index(f.cell())] += problem.cost[i];
+    }
+    for (std::size_t c = 0; c < source_; ++c) {
+      const CellCut::Cost p = c < problem.preference.size()
+                                  ? problem.preference[c]
+                                  : -CellCut::kInfinite;
+      (p > 0 ? left_[source_][c] : left_[c][sink_]) += p > 0 ? p : -p;
+    }
+  }
+
+  /// Cells that the source still reaches.
+  std::vector<bool> run() {
+    while (true) {
+      std::vector<std::size_t> from(left_.size(), left_.size());
+      std::vector<std::size_t> queue = {source_};
+      from[source_] = source_;
+      for (std::size_t next = 0; next < queue.size(); ++next)
+        for (std::size_t k = 0; k < left_.size(); ++k)
+          if (left_[queue[next]][k] > 0 && from[k] == left_.size()) {
+            from[k] = queue[next];
+            queue.push_back(k);
+          }
+      if (from[sink_] == left_.size()) return reached(from);
+      CellCut::Cost flow = CellCut::kInfinite;
+      for (std::size_t k = sink_; k != source_; k = from[k])
+        flow = std::min(flow, left_[from[k]][k]);
+      for (std::size_t k = sink_; k != source_; k = from[k]) {
+        left_[from[k]][k] -= flow;
+        left_[k][from[k]] += flow;
+      }
+    }
+  }
+
+ private:
+  std::vector<bool> reached(const std::vector<std::size_t>& from) const {
+    std::vector<bool> result;
+    for (const std::size_t f : from) result.push_back(f != left_.size());
+    return result;
+  }
+
+  std::size_t source_, sink_;
+  std::vector<std::vector<CellCut::Cost>> left_;
+};
+
+TEST(CellCut, CostsNoMoreThanAPlainMaximumFlow) {
+  for (std::uint64_t trial = 0; trial < 30; ++trial) {
+    SCOPED_TRACE(testing::Message() << "trial " << trial);
+    std::mt19937_64 rng(trial);
+    const Triangulation3 t = cloud(10 + rng() % 25, trial);
+    const CutProblem problem(t, rng);
+    const CellCut cut = problem.solved();
+    const auto reached = PlainFlow(problem).run();
+    EXPECT_EQ(problem.total([&](CellId c) { return cut.is_inside(c); }),
+              problem.total([&](CellId c) { return reached[index(c)]; }));
+  }
+}
+
+TEST(CellCut, StopsWhenItsEffortIsSpent) {
+  const Triangulation3 t = cloud(200, 1);
+  CellCut cut(t);
+  for (const Facet f : all_facets(t)) cut.set_cost(f, 5);
+  cut.add_preference(CellId{0}, 100);
+  EXPECT_FALSE(cut.run(0));
+}
+
+TEST(LabelMending, MendsAnyLabels) {
+  for (std::uint64_t trial = 0; trial < 60; ++trial) {
+    SCOPED_TRACE(testing::Message() << "trial " << trial);
+    std::mt19937_64 rng(trial);
+    const Triangulation3 t = cloud(5 + rng() % 60, trial);
+    auto open = all_vertices(t);
+    std::shuffle(open.begin(), open.end(), rng);
+    open.resize(rng() % (open.size() + 1));
+    LabelFrame frame(t, CloseWeight::Circumradius, {}, open);
+    Labelling labels(t);
+    randomize(labels, rng);
+    LabelMending(frame, labels).run();
+    EXPECT_EQ(judged(labels).nonmanifold_vertices, 0U);
+    EXPECT_EQ(judged(labels).nonmanifold_edges, 0U);
+    EXPECT_EQ(LabelMending(frame, labels).run(), 0U);
+  }
+}
+
+}  // namespace
+}  // namespace umbrella
