@@ -11,8 +11,12 @@
 namespace ilp {
 namespace {
 
-std::string name(VarId var) { return "x" + std::to_string(index(var) + 1); }
-std::string row_name(std::size_t i) { return "c" + std::to_string(i + 1); }
+std::string name(VarId var) {
+  return std::string("x").append(std::to_string(index(var) + 1));
+}
+std::string row_name(std::size_t i) {
+  return std::string("c").append(std::to_string(i + 1));
+}
 
 // "+1 x2 -3 x5"; readers of LP want lines below 510 characters.
 void write_sum(std::ostream& out, std::span<const Term> terms,
