@@ -20,6 +20,9 @@ class Badness {
   /// @param facet  one of the two that are this triangle
   double operator()(const Triangle& corners, delaunay::Facet facet) const;
 
+  /// No triangle has less.
+  double least() const { return weight_ == CloseWeight::BallOverlap ? -1 : 0; }
+
  private:
   double ball_overlap(const std::array<Point3, 3>& abc,
                       delaunay::Facet facet) const;

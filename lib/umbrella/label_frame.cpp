@@ -146,17 +146,16 @@ class Costs {
   explicit Costs(const LabelFrame& frame) : frame_(frame) {
     std::vector<double> all;
     for_each_facet(frame.triangulation(),
-                   [&](Facet f) { all.push_back(frame.badness(f)); });
+                   [&](Facet f) { all.push_back(frame.weight(f)); });
     const auto middle =
         all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
     std::nth_element(all.begin(), middle, all.end());
     median_ = *middle;
   }
   CellCut::Cost operator()(Facet f) const {
-    if (median_ <= 0) return 1;
-    const double times_median = std::sqrt(frame_.badness(f) / median_);
+    if (!(median_ > 0) || !std::isfinite(median_)) return 1;
     return static_cast<CellCut::Cost>(
-        std::clamp(0x1p20 * times_median, 1.0, 0x1p40));
+        std::clamp(0x1p20 * (frame_.weight(f) / median_), 1.0, 0x1p40));
   }
 
   /// Calls visit(Facet) once for each facet within the hull or on it.

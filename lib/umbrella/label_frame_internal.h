@@ -3,6 +3,8 @@
 /// to be kept, which vertices are open, how bad a triangle is.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -24,6 +26,11 @@ class LabelFrame {
   }
   double badness(delaunay::Facet f) const {
     return badness_(sorted_corners(triangulation_, f), f);
+  }
+  /// The root of the badness over the least that there can be: the
+  /// circumradius, lambda, the area, or the like for the overlap of balls.
+  double weight(delaunay::Facet f) const {
+    return std::sqrt(std::max(badness(f) - badness_.least(), 0.0));
   }
   /// Makes these the kept ones.
   void keep(std::span<const LocatedTriangle> kept);
@@ -58,9 +65,8 @@ void label_worst_first(const LabelFrame& frame,
 
 /// Those of the kept triangles that a surface of small total weight would
 /// hold, whose sides are those of the labels: fragments that stand alone, or
-/// on the wrong side of others, are not among these. Weight is the root of
-/// badness (the circumradius, lambda, the area); a kept triangle costs as much
-/// where it is not held. All of them if the effort does not suffice.
+/// on the wrong side of others, are not among these. A kept triangle costs its
+/// weight where it is not held. All of them if the effort does not suffice.
 std::vector<LocatedTriangle> held_by_cut(const LabelFrame& frame,
                                          std::span<const LocatedTriangle> kept,
                                          const Labelling& labels);
