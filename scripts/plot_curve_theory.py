@@ -96,8 +96,7 @@ def main(source, target):
         )
         bounds = Panel(
             column, 1,
-            "largest lower bound of right edges (line), least "
-            "max(lower, 1 - upper) of wrong (dashes)",
+            "right: most lower (line); wrong: least max(lower, 1 - upper) (dashes)",
             LEAST, 1, True,
         )
         for name in names:

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "ilp/linear_form.h"
 #include "ilp/solver.h"
 #include "tests/support/ilp_programs.h"
 #include "tests/support/ilp_proofs.h"
@@ -69,6 +70,15 @@ void expect_agrees_with_enumeration(const Problem& problem,
       EXPECT_TRUE(checked.excludes(asked));
       EXPECT_EQ(checked.checker().is_refuted(), !has_model(problem));
     }
+  }
+}
+
+void add_rows(Problem& problem, const ilp::LinearForm& form) {
+  for (const ilp::LinearRow& row : form.rows) {
+    std::vector<Term> opposite = row.terms;
+    for (Term& t : opposite) t.coefficient = -t.coefficient;
+    problem.add_linear(opposite, -row.bound);
+    if (row.is_equation) problem.add_linear(row.terms, row.bound);
   }
 }
 
@@ -188,6 +198,37 @@ TEST(Solver, CountsPigeonsByLinearConstraints) {
   Solver solver(problem);
   EXPECT_EQ(solver.solve(), Status::Infeasible);
   EXPECT_EQ(solver.core().constraints.size(), 13U);
+}
+
+// Each is one simple cycle of its ring, and together with the rest of the form
+// they refute what the search refuted.
+TEST(Solver, NamesTheCyclesThatItNeeded) {
+  std::mt19937_64 rng(31);
+  std::size_t n_cycles = 0;
+  for (int trial = 0; trial < 300; ++trial) {
+    SCOPED_TRACE(testing::Message() << "trial " << trial);
+    const Problem problem = trial % 10 == 0
+                                ? support::torus_hole(6, 10, rng())
+                                : support::random_surface_program(rng, 14);
+    Solver solver(problem);
+    solver.keep_cycles();
+    const Status status = solver.solve();
+    for (const ilp::Cycle& cycle : solver.cycles()) {
+      Problem ring;
+      ring.add_variables(problem.n_variables());
+      ring.add_ring(problem.ring(cycle.ring));
+      Model model(problem.n_variables(), false);
+      for (const VarId v : cycle.spokes) model[index(v)] = true;
+      EXPECT_EQ(first_violation(ring, model), "");
+      ++n_cycles;
+    }
+    if (status != Status::Infeasible) continue;
+    Problem form;
+    form.add_variables(problem.n_variables());
+    add_rows(form, linear_form(problem, solver.cycles()));
+    EXPECT_FALSE(has_model(form));
+  }
+  EXPECT_GT(n_cycles, 50U);
 }
 
 // Runs the same calls on a new solver; the statistics tell the trace.

@@ -101,7 +101,7 @@ class Builder {
   Builder(std::span<const Point2> points, const std::array<VertexId, 3>& abc);
   void insert(VertexId v);
   /// Moves the cells beyond the hull to the end, and hands all over.
-  std::pair<std::vector<Cell2>, std::size_t> finish();
+  std::pair<LazyVector<Cell2>, std::size_t> finish();
 
  private:
   /// A triangle in conflict with the point: apex d, other corners a and b,
@@ -137,7 +137,7 @@ class Builder {
   void swap_cells(CellId i, CellId j);
 
   Coordinates coordinates_;
-  std::vector<Cell2> cells_;
+  LazyVector<Cell2> cells_;
   VertexId v_ = kInfinite;  // the point being inserted
   Point2 p_;                // and where it is
   CellId last_{0};          // finite; where the next walk starts
@@ -325,7 +325,7 @@ void Builder::swap_cells(CellId i, CellId j) {
   }
 }
 
-std::pair<std::vector<Cell2>, std::size_t> Builder::finish() {
+std::pair<LazyVector<Cell2>, std::size_t> Builder::finish() {
   std::uint32_t low = 0;
   auto high = static_cast<std::uint32_t>(cells_.size());
   while (true) {

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "delaunay/cell_vector.h"
 #include "delaunay/ids.h"
 
 namespace delaunay {
@@ -76,7 +77,7 @@ class Triangulation2 {
  private:
   std::vector<Point2> points_;
   std::vector<VertexId> vertex_of_row_;
-  std::vector<Cell2> cells_;
+  LazyVector<Cell2> cells_;
   std::size_t n_finite_cells_ = 0;
   int dimension_ = -1;
 };

@@ -6,6 +6,39 @@
 
 namespace ilp {
 
+namespace {
+
+// A conflict with a ring names the cycle, and last another spoke.
+std::span<const Literal> cause(const Conflict& conflict) {
+  const std::span<const Literal> literals = conflict.literals;
+  return literals.first(literals.size() - 1);
+}
+
+Cycle cycle_of(const Reason& ring, std::span<const Literal> literals) {
+  Cycle cycle{ring.index, {}};
+  for (const Literal l : literals) cycle.spokes.push_back(l.var());
+  std::ranges::sort(cycle.spokes);
+  return cycle;
+}
+
+}  // namespace
+
+void add_cycles_of_level_0(const Propagator& propagator,
+                           const Conflict& conflict, std::set<Cycle>& cycles) {
+  const Assignment& assignment = propagator.assignment();
+  std::vector<Literal> explanation;
+  for (const Literal l : assignment.trail()) {
+    const Reason& reason = assignment.reason(l.var());
+    if (assignment.level(l.var()) > 0) break;
+    if (reason.kind != Reason::Kind::Ring) continue;
+    explanation.clear();
+    propagator.explain(l, explanation);
+    cycles.insert(cycle_of(reason, explanation));
+  }
+  if (conflict.reason.kind == Reason::Kind::Ring)
+    cycles.insert(cycle_of(conflict.reason, cause(conflict)));
+}
+
 const Lesson& Analyzer::analyze(const Propagator& propagator,
                                 const Conflict& conflict,
                                 Derivations& derivations) {
@@ -35,6 +68,7 @@ void Analyzer::find_first_uip(const Conflict& conflict) {
   n_unresolved_ = 0;
   lesson_.literals.emplace_back();
   derivations_->use(propagator_->origin(conflict.reason));
+  note_cycle(conflict.reason, cause(conflict));
   see(conflict.literals);
   auto l = assignment().trail().end();
   for (;;) {
@@ -46,9 +80,16 @@ void Analyzer::find_first_uip(const Conflict& conflict) {
     derivations_->use(propagator_->origin(assignment().reason(l->var())));
     explanation_.clear();
     propagator_->explain(*l, explanation_);
+    note_cycle(assignment().reason(l->var()), explanation_);
     see(explanation_);
   }
   lesson_.literals.front() = !*l;
+}
+
+void Analyzer::note_cycle(const Reason& reason,
+                          std::span<const Literal> literals) {
+  if (cycles_ != nullptr && reason.kind == Reason::Kind::Ring)
+    cycles_->insert(cycle_of(reason, literals));
 }
 
 void Analyzer::see(std::span<const Literal> literals) {
@@ -107,6 +148,7 @@ bool Analyzer::expand(Literal l) {
   derivations_->use(propagator_->origin(reason));
   explanation_.clear();
   propagator_->explain(l, explanation_);
+  note_cycle(reason, explanation_);
   for (const Literal e : explanation_) {
     if (is_seen_[index(e.var())]) continue;
     const std::uint32_t level = assignment().level(e.var());

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -33,9 +34,13 @@ class Analyzer {
   const Lesson& analyze(const Propagator& propagator, const Conflict& conflict,
                         Derivations& derivations);
 
+  /// Puts the cycles of rings that lessons rest on there; none: nowhere.
+  void set_cycles(std::set<Cycle>* cycles) { cycles_ = cycles; }
+
  private:
   const Assignment& assignment() const { return propagator_->assignment(); }
   void find_first_uip(const Conflict& conflict);
+  void note_cycle(const Reason& reason, std::span<const Literal> literals);
   void see(std::span<const Literal> literals);
   void minimize();
   bool is_implied_by_rest(Literal l);
@@ -44,6 +49,7 @@ class Analyzer {
 
   const Propagator* propagator_ = nullptr;
   Derivations* derivations_ = nullptr;
+  std::set<Cycle>* cycles_ = nullptr;
   Lesson lesson_;
   std::uint32_t conflict_level_ = 0;
   std::size_t n_unresolved_ = 0;  // seen literals of the conflict's level
@@ -53,6 +59,10 @@ class Analyzer {
   std::vector<Literal> stack_;
   std::vector<std::uint32_t> levels_;
 };
+
+/// The cycles of rings that gave values at level 0, or the conflict there.
+void add_cycles_of_level_0(const Propagator& propagator,
+                           const Conflict& conflict, std::set<Cycle>& cycles);
 
 /// The constraints that together give the conflict, and the decisions of the
 /// levels above 0, which are called assumptions.

@@ -5,6 +5,7 @@
 #include <compare>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace ilp {
 
@@ -57,6 +58,15 @@ struct Term {
   VarId var;
   std::int64_t coefficient;
   friend constexpr bool operator==(const Term&, const Term&) = default;
+};
+
+/// A cycle of a ring's link graph: where it is true, all other spokes of the
+/// ring are false.
+struct Cycle {
+  std::uint32_t ring;
+  std::vector<VarId> spokes;
+  friend bool operator==(const Cycle&, const Cycle&) = default;
+  friend auto operator<=>(const Cycle&, const Cycle&) = default;
 };
 
 enum class ConstraintKind : std::uint8_t { Pair, Ring, Sides, Clause, Linear };

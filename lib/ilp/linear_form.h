@@ -11,13 +11,6 @@
 
 namespace ilp {
 
-/// A cycle of a ring's link graph: where it is true, all other spokes of the
-/// ring are false.
-struct Cycle {
-  std::uint32_t ring;
-  std::vector<VarId> spokes;
-};
-
 /// The sum of the terms is at least, or exactly, `bound`.
 struct LinearRow {
   std::vector<Term> terms;  ///< distinct variables
@@ -35,7 +28,8 @@ struct LinearForm {
 /// The inequalities of [Adamy02, Def. 3.3]: (3) and (4) for pairs, (5) for
 /// required rings, and (6) in its strong form for the given cycles: the spokes
 /// of the cycle and any one other add up to no more than the cycle's length.
-/// There are too many cycles to write them all; without them a ring may have
+/// Solver::cycles() names those that a search needed.
+/// There are too many to write them all; without them a ring may have
 /// several, so the form is a relaxation of the rings, and exact for all else.
 ///
 /// Sides take a variable for each room, after those of the problem.

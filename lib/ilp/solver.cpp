@@ -13,6 +13,7 @@
 #include <chrono>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
 
@@ -103,6 +104,14 @@ class Solver::Search {
   }
 
   void set_log(ProofLog* log) { log_ = log; }
+
+  void keep_cycles() { analyzer_.set_cycles(&cycles_); }
+
+  std::vector<Cycle> cycles() const {
+    std::set<Cycle> all = cycles_;
+    add_cycles_of_level_0(propagator_, refutation_, all);
+    return {all.begin(), all.end()};
+  }
 
   Status solve(std::span<const Literal> assumptions, const Limits& limits) {
     check_known(assumptions);
@@ -334,6 +343,7 @@ class Solver::Search {
   std::optional<ConstraintId> objective_;  // of require_better()
   std::vector<Term> objective_terms_;
   ProofLog* log_ = nullptr;
+  std::set<Cycle> cycles_;  // of rings, that were needed; if kept
   Conflict refutation_;
   std::optional<Literal> failed_assumption_;
   Statistics statistics_;
@@ -382,6 +392,8 @@ void Solver::prefer(std::span<const Literal> values) {
 }
 
 void Solver::set_log(ProofLog* log) { search_->set_log(log); }
+void Solver::keep_cycles() { search_->keep_cycles(); }
+std::vector<Cycle> Solver::cycles() const { return search_->cycles(); }
 
 Status Solver::solve(std::span<const Literal> assumptions,
                      const Limits& limits) {

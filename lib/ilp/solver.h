@@ -100,6 +100,12 @@ class Solver {
 
   Statistics statistics() const;
 
+  /// From now on keeps the cycles of rings that learned clauses rest on.
+  void keep_cycles();
+  /// Those, and the ones behind what holds without any decision: the cuts (6)
+  /// of [Adamy02] that the search has needed so far. Each once, ascending.
+  std::vector<Cycle> cycles() const;
+
   /// Writes what is derived from now on; none: stops that. A log from the first
   /// solve() on lets a ProofChecker follow every Infeasible.
   /// @param log  must outlive its use

@@ -137,8 +137,8 @@ class AutoCurves {
 
   static void make_distinct(std::vector<VertexId>& vertices) {
     std::ranges::sort(vertices);
-    const auto rest = std::ranges::unique(vertices);
-    vertices.erase(rest.begin(), rest.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()),
+                   vertices.end());
   }
 
   static std::vector<VertexId> with_neighbors(

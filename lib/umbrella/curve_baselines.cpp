@@ -19,8 +19,7 @@ using delaunay::VertexId;
 void make_distinct(std::vector<Edge>& edges) {
   for (Edge& edge : edges) std::ranges::sort(edge);
   std::ranges::sort(edges);
-  const auto rest = std::ranges::unique(edges);
-  edges.erase(rest.begin(), rest.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
 }
 
 /// Edges of each vertex to its nearest neighbour q, and to the nearest r with

@@ -10,13 +10,11 @@
 namespace umbrella {
 namespace {
 
-using delaunay::VertexId;
-
-// Four find all that six find on the samples of docs/curve.md.
+// Six found no more than four on coastlines of the 1:50 million map.
 constexpr unsigned kAdds = 4;
 
-// Trails from one vertex are given up after so many steps; on samples of curves
-// a hundred are rare.
+// Trails from one vertex are given up after so many steps: points that are no
+// curve would take exponentially many in kAdds.
 constexpr unsigned kMostSteps = 4000;
 
 }  // namespace
