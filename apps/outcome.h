@@ -2,7 +2,6 @@
 /// What `umbrella reconstruct` asks for and gets, in the plane and in space.
 #pragma once
 
-#include <chrono>
 #include <optional>
 #include <span>
 #include <string>
@@ -71,16 +70,5 @@ std::vector<std::uint32_t> take_used_rows(const io::PointSet& points,
   }
   return vertex_of_row;
 }
-
-class StopWatch {
- public:
-  double seconds() const {
-    return std::chrono::duration<double>(Clock::now() - start_).count();
-  }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point start_ = Clock::now();
-};
 
 }  // namespace command

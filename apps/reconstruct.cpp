@@ -25,6 +25,7 @@
 #include "io/mesh.h"
 #include "io/points.h"
 #include "umbrella/methods.h"
+#include "umbrella/stopwatch.h"
 
 namespace command {
 namespace {
@@ -138,7 +139,7 @@ ExitCode reconstruct(const Options& options) {
   require_outputs(options);
   const Request& request = options.request;
   terminal::Progress progress(options.quiet);
-  const StopWatch total;
+  const umbrella::Stopwatch total;
   progress.show("read");
   std::vector<umbrella::IndexedTriangle> faces;
   const io::PointSet points = request.repairs
@@ -154,7 +155,7 @@ ExitCode reconstruct(const Options& options) {
           : reconstruct_surface(points, request, progress, faces);
 
   progress.show("write");
-  const StopWatch writing;
+  const umbrella::Stopwatch writing;
   if (!options.out.empty())
     io::write_mesh(options.out, outcome.mesh, outcome.lambda);
   const double write_seconds = writing.seconds();

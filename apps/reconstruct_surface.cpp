@@ -119,7 +119,8 @@ Json full_report(const Request& request,
   const umbrella::ReconstructSeconds& s = result.seconds;
   json["seconds"] = {{"delaunay", s.delaunay}, {"lambda", s.lambda},
                      {"filter", s.filter},     {"clean_up", s.clean_up},
-                     {"holes", s.holes},       {"closing", s.closing}};
+                     {"holes", s.holes},       {"closing", s.closing},
+                     {"surface", s.surface},   {"certificate", s.certificate}};
   return json;
 }
 

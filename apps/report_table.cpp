@@ -151,8 +151,9 @@ std::string seconds_table(const std::vector<Row>& rows) {
       {"object", Align::Left, [](const Row& row) { return row.object; }},
       paper("filter, paper", &PaperRow::filter_seconds),
       paper("total, paper", &PaperRow::total_seconds)};
-  for (const char* stage : {"read", "delaunay", "lambda", "filter", "clean_up",
-                            "holes", "closing", "write", "total"})
+  for (const char* stage :
+       {"read", "delaunay", "lambda", "filter", "clean_up", "holes", "closing",
+        "surface", "certificate", "write", "total"})
     columns.push_back(seconds(stage));
   return render(rows, columns);
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -13,6 +12,7 @@
 
 #include "umbrella/filter.h"
 #include "umbrella/methods.h"
+#include "umbrella/stopwatch.h"
 #include "umbrella/surface.h"
 
 namespace umbrella {
@@ -44,11 +44,9 @@ class Pipeline {
   template <class Work>
   auto timed(std::string_view stage, double& seconds, Work work) {
     if (options_.progress) options_.progress(stage);
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch stopwatch;
     auto value = work();
-    seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
-            .count();
+    seconds = stopwatch.seconds();
     return value;
   }
 
@@ -61,6 +59,9 @@ class Pipeline {
                               const Circumspheres& spheres,
                               const FilterResult& filtered);
   std::vector<Hole> holes(std::size_t n_vertices, const CleanUpResult& clean);
+  std::vector<IndexedTriangle> surface(
+      const Triangulation3& triangulation, const Circumspheres& spheres,
+      std::span<const LocatedTriangle> triangles);
   void finish(const Triangulation3& triangulation, const Circumspheres& spheres,
               std::span<const LocatedTriangle> triangles);
 
@@ -194,9 +195,10 @@ std::vector<std::uint32_t> first_rows(const Triangulation3& triangulation) {
   return rows;
 }
 
-void Pipeline::finish(const Triangulation3& triangulation,
-                      const Circumspheres& spheres,
-                      std::span<const LocatedTriangle> triangles) {
+/// The oriented triangles; fills result_.lambda.
+std::vector<IndexedTriangle> Pipeline::surface(
+    const Triangulation3& triangulation, const Circumspheres& spheres,
+    std::span<const LocatedTriangle> triangles) {
   const std::size_t n = triangles.size();
   std::vector<Triangle> corners(n);
   std::vector<delaunay::Facet> facets(n);
@@ -211,21 +213,32 @@ void Pipeline::finish(const Triangulation3& triangulation,
     result_.lambda[t] =
         std::sqrt(DelaunayTriangle(triangulation, spheres, facets[t], &radii[t])
                       .squared_lambda_lower());
-  const auto oriented = orient(triangulation.points(), corners);
 
-  std::vector<IndexedTriangle> vertices(triangles.size());
-  for (std::size_t t = 0; t < triangles.size(); ++t)
+  const auto oriented = orient(triangulation.points(), corners);
+  std::vector<IndexedTriangle> vertices(n);
+  for (std::size_t t = 0; t < n; ++t)
     for (std::size_t i = 0; i < 3; ++i)
       vertices[t][i] = static_cast<std::uint32_t>(oriented.triangles[t][i]);
-  result_.surface = check_surface(triangulation.points(), vertices);
+  return vertices;
+}
+
+void Pipeline::finish(const Triangulation3& triangulation,
+                      const Circumspheres& spheres,
+                      std::span<const LocatedTriangle> triangles) {
+  result_.triangles = timed("surface", result_.seconds.surface, [&] {
+    return surface(triangulation, spheres, triangles);
+  });
+  result_.surface = timed("certificate", result_.seconds.certificate, [&] {
+    return check_surface(triangulation.points(), result_.triangles);
+  });
 
   const std::vector<std::uint32_t> row = first_rows(triangulation);
   for (std::uint32_t& v : result_.surface.unused_vertices) v = row[v];
   std::sort(result_.surface.unused_vertices.begin(),
             result_.surface.unused_vertices.end());
   list_dropped(row);
-  for (const IndexedTriangle& t : vertices)
-    result_.triangles.push_back({row[t[0]], row[t[1]], row[t[2]]});
+  for (IndexedTriangle& t : result_.triangles)
+    for (std::uint32_t& v : t) v = row[v];
 }
 
 /// Rows ascending, each with its reason.

@@ -70,6 +70,8 @@ struct ReconstructSeconds {
   double clean_up = 0;
   double holes = 0;
   double closing = 0;
+  double surface = 0;  ///< lambdas, orientation
+  double certificate = 0;
 };
 
 struct Reconstruction {
