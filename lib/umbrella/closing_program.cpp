@@ -60,51 +60,54 @@ void ClosingProgram::add_members(const WorkingSurface& surface,
   }
 }
 
+/// Candidates have all their corners among the program's vertices.
+bool ClosingProgram::has_vertex(const Member& member, VertexId v) const {
+  return index(member.var) < n_candidates_ || contains(vertices_, v);
+}
+
 /// A pair for each edge with an end among the program's vertices.
 void ClosingProgram::add_pairs() {
   struct Side {
-    Edge edge;
+    std::uint64_t edge;
     ilp::VarId var;
   };
   std::vector<Side> sides;
-  for (const auto& [corners, var] : members_) {
-    const auto& [a, b, c] = corners;
-    for (const Edge& e : {Edge{a, b}, Edge{a, c}, Edge{b, c}})
-      if (contains(vertices_, e[0]) || contains(vertices_, e[1]))
-        sides.push_back({e, var});
+  sides.reserve(3 * members_.size());
+  for (const Member& m : members_) {
+    const auto& [a, b, c] = m.corners;
+    for (const auto& [p, q] : {Edge{a, b}, Edge{a, c}, Edge{b, c}})
+      if (has_vertex(m, p) || has_vertex(m, q))
+        sides.push_back({std::uint64_t{index(p)} << 32U | index(q), m.var});
   }
   std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
     return a.edge != b.edge ? a.edge < b.edge : a.var < b.var;
   });
   std::vector<ilp::VarId> pair;
   for (std::size_t i = 0; i < sides.size();) {
-    const Edge edge = sides[i].edge;
+    const std::uint64_t edge = sides[i].edge;
     pair.clear();
     for (; i < sides.size() && sides[i].edge == edge; ++i)
       pair.push_back(sides[i].var);
     problem_.add_pair(pair);
-    edge_of_pair_.push_back(edge);
+    edge_of_pair_.push_back({VertexId{static_cast<std::uint32_t>(edge >> 32U)},
+                             VertexId{static_cast<std::uint32_t>(edge)}});
   }
 }
 
 void ClosingProgram::add_rings(std::span<const VertexId> may_drop) {
-  struct AtVertex {
-    VertexId vertex;
-    Member member;
-  };
-  std::vector<AtVertex> corners;
-  for (const Member& member : members_)
-    for (const VertexId v : member.corners)
-      if (contains(vertices_, v)) corners.push_back({v, member});
-  std::stable_sort(
-      corners.begin(), corners.end(),
-      [](const AtVertex& a, const AtVertex& b) { return a.vertex < b.vertex; });
+  std::vector<std::uint64_t> corners;  // a vertex and a member at it
+  corners.reserve(3 * members_.size());
+  for (std::size_t m = 0; m < members_.size(); ++m)
+    for (const VertexId v : members_[m].corners)
+      if (has_vertex(members_[m], v))
+        corners.push_back(std::uint64_t{index(v)} << 32U | m);
+  std::sort(corners.begin(), corners.end());
   std::vector<Member> at_v;
   std::size_t i = 0;
   for (const VertexId v : vertices_) {
     at_v.clear();
-    for (; i < corners.size() && corners[i].vertex == v; ++i)
-      at_v.push_back(corners[i].member);
+    for (; i < corners.size() && corners[i] >> 32U == index(v); ++i)
+      at_v.push_back(members_[static_cast<std::uint32_t>(corners[i])]);
     add_ring(v, at_v, contains(may_drop, v));
   }
 }

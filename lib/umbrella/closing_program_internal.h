@@ -63,6 +63,7 @@ class ClosingProgram {
 
   void add_members(const WorkingSurface& surface,
                    std::span<const LocatedTriangle> candidates);
+  bool has_vertex(const Member& member, VertexId v) const;
   void add_pairs();
   void add_rings(std::span<const VertexId> may_drop);
   void add_ring(VertexId v, std::span<const Member> members, bool may_drop);

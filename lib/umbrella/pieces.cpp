@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "umbrella/disjoint_sets_internal.h"
 #include "umbrella/pieces_internal.h"
 
 namespace umbrella {
@@ -7,6 +8,8 @@ namespace umbrella {
 std::vector<Piece> PieceFinder::find(const Change& change,
                                      const std::vector<bool>& is_open) {
   const auto& [freed, chosen, vertices] = change;
+  if (is_in_patch_.empty()) find_large_patches(is_open);
+  if (breaks_patch(freed)) is_in_patch_.assign(surface_.n_vertices(), false);
   is_freed_.resize(surface_.n_indices());
   for (const TriangleIndex t : freed) is_freed_[t] = true;
   corners_.clear();
@@ -30,6 +33,36 @@ std::vector<Piece> PieceFinder::find(const Change& change,
   reached_.clear();
   for (const TriangleIndex t : freed) is_freed_[t] = false;
   return pieces;
+}
+
+void PieceFinder::find_large_patches(const std::vector<bool>& is_open) {
+  const std::size_t n = surface_.n_vertices();
+  DisjointSets sets(n);
+  std::vector<std::size_t> n_triangles(n);
+  const auto for_each_settled = [&](auto visit) {
+    for (TriangleIndex t = 0; t < surface_.n_indices(); ++t) {
+      const auto& [a, b, c] = surface_.corners(t);
+      if (surface_.contains(t) && !is_open[index(a)] && !is_open[index(b)] &&
+          !is_open[index(c)])
+        visit(index(a), index(b), index(c));
+    }
+  };
+  for_each_settled([&](std::size_t a, std::size_t b, std::size_t c) {
+    sets.unite(a, b);
+    sets.unite(a, c);
+  });
+  for_each_settled([&](std::size_t a, std::size_t, std::size_t) {
+    ++n_triangles[sets.root(a)];
+  });
+  is_in_patch_.resize(n);
+  for (std::size_t v = 0; v < n; ++v)
+    is_in_patch_[v] = n_triangles[sets.root(v)] > limit_;
+}
+
+bool PieceFinder::breaks_patch(std::span<const TriangleIndex> freed) const {
+  return std::any_of(freed.begin(), freed.end(), [this](TriangleIndex t) {
+    return is_in_patch_[index(surface_.corners(t)[0])];
+  });
 }
 
 /// Calls visit for each triangle at v on the changed surface. @return whether a
@@ -61,7 +94,7 @@ bool PieceFinder::explore(VertexId start, const Change& change,
     const bool waits =
         is_open[index(v)] &&
         !std::binary_search(change.vertices.begin(), change.vertices.end(), v);
-    is_large = is_large || known == kLarge || waits;
+    is_large = is_large || known == kLarge || is_in_patch_[index(v)] || waits;
     if (known != kNotReached) return;
     known = name;
     reached_.push_back(v);

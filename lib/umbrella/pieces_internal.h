@@ -50,6 +50,8 @@ class PieceFinder {
     std::uint32_t triangle;  // position in `chosen`
   };
 
+  void find_large_patches(const std::vector<bool>& is_open);
+  bool breaks_patch(std::span<const TriangleIndex> freed) const;
   template <class Visit>
   bool for_each_at(VertexId v, const Change& change, Visit visit) const;
   bool explore(VertexId start, const Change& change,
@@ -61,6 +63,10 @@ class PieceFinder {
   std::vector<VertexId> reached_;        // where that is not kNotReached
   std::vector<Corner> corners_;          // of `chosen`, by vertex
   std::vector<bool> is_freed_;
+  /// Vertices of triangles that hang together, without an open corner, and are
+  /// more than the limit: wherever a walk meets one, its piece is large. Found
+  /// in the first call, given up when a change frees some of the triangles.
+  std::vector<bool> is_in_patch_;
   std::uint32_t n_pieces_ = 0;
 };
 

@@ -64,18 +64,46 @@ Attempt RegionSolver::attempt(const Region& region, Effort& effort,
                               const AttemptOptions& how) {
   std::vector<LocatedTriangle> candidates = neighborhoods_.candidates(region);
   ClosingProgram program(surface_, candidates, region.vertices, how.may_drop);
-  add_sides(program, candidates);
   Work work(std::move(candidates), std::move(program));
   work.allowed = how.allowed;
   work.effort = {effort.conflicts / 2, effort.propagations / 2};
   order_worst_first(work);
-  if (settle_dropped(work, how)) search(work);
+  if (!solve_in_order(work)) {
+    conflicts_ += work.solver.statistics().conflicts;
+    add_sides(work);
+    if (settle_dropped(work, how)) search(work);
+  }
   const ilp::Statistics used = work.solver.statistics();
   conflicts_ += used.conflicts;
   effort.charge(
       used.conflicts,
       used.propagations + kStepsPerVariable * work.result.n_variables);
   return std::move(work.result);
+}
+
+/// Most programs give way to a short search in order, without the sides, which
+/// take as long to find. These follow from the rest, so the least model is the
+/// same; what the search takes in vain is not charged.
+///
+/// @return whether that solved it; if not, the result is as before
+bool RegionSolver::solve_in_order(Work& work) {
+  constexpr std::uint64_t kConflicts = 100;
+  if (options_.mode == CloseMode::Paper || !work.program.droppable().empty())
+    return false;
+  work.solver.set_priority(work.worst_first);
+  work.solver.set_branching(ilp::Branching::Static);
+  do {
+    ilp::Limits few = limits(work);
+    const std::uint64_t used = work.solver.statistics().conflicts;
+    few.conflicts = std::min(few.conflicts, kConflicts - used);
+    if (work.solver.solve({}, few) != ilp::Status::Feasible) {
+      work.result.pieces.clear();
+      return false;
+    }
+    work.model = work.solver.model();
+  } while (!read_model(work));
+  work.result.outcome = Outcome::Solved;
+  return true;
 }
 
 bool RegionSolver::closes_small_piece(const Attempt& solved) {
@@ -94,15 +122,15 @@ std::vector<VertexId> RegionSolver::vertices(const Region& region) {
   return result;
 }
 
-void RegionSolver::add_sides(
-    ClosingProgram& program,
-    std::span<const LocatedTriangle> candidates) const {
+/// Starts anew, with a solver that knows inside from outside.
+void RegionSolver::add_sides(Work& work) const {
   std::vector<LocatedTriangle> fixed;
-  for (const TriangleIndex t : program.fixed())
+  for (const TriangleIndex t : work.program.fixed())
     fixed.push_back(surface_.triangle(t));
-  program.add_sides(
-      walls_between_rooms(neighborhoods_.cells(),
-                          {candidates, fixed, program.vertices(), is_open_}));
+  work.program.add_sides(walls_between_rooms(
+      neighborhoods_.cells(),
+      {work.candidates, fixed, work.program.vertices(), is_open_}));
+  work.solver = ilp::Solver(work.program.problem());
 }
 
 void RegionSolver::order_worst_first(Work& work) const {

@@ -93,8 +93,8 @@ class RegionSolver {
   struct Work;  // one attempt
 
   /// @pre the cells of the candidates are the last ones collected
-  void add_sides(ClosingProgram& program,
-                 std::span<const LocatedTriangle> candidates) const;
+  void add_sides(Work& work) const;
+  bool solve_in_order(Work& work);
   void order_worst_first(Work& work) const;
   bool settle_dropped(Work& work, const AttemptOptions& how) const;
   bool release_stuck(Work& work, std::vector<ilp::Literal>& kept) const;
