@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/program_files.h"
 #include "apps/report.h"
 #include "apps/terminal.h"
 #include "io/mesh.h"
@@ -28,6 +29,7 @@ struct Request {
   std::optional<double> time_limit;          ///< seconds
   unsigned threads = 1;
   bool repairs = false;  ///< the file is a mesh
+  ProgramPrefixes programs;
 };
 
 struct Outcome {
