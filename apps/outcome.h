@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/program_files.h"
 #include "apps/report.h"
 #include "apps/terminal.h"
 #include "io/mesh.h"
@@ -27,6 +28,7 @@ struct Request {
   std::optional<double> time_limit;          ///< seconds
   unsigned threads = 1;
   bool repairs = false;  ///< the file is a mesh
+  ProgramPrefixes programs;
 };
 
 struct Outcome {

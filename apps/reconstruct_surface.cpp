@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstddef>
 #include <stdexcept>
 
 #include "apps/interrupt.h"
@@ -20,7 +21,8 @@ void require_filter_options(const Request& request) {
 
 umbrella::Reconstruction run(const io::PointSet& points, const Request& request,
                              terminal::Progress& progress,
-                             std::span<const umbrella::IndexedTriangle> faces) {
+                             std::span<const umbrella::IndexedTriangle> faces,
+                             ProgramFiles& programs) {
   require_filter_options(request);
   umbrella::ReconstructOptions options;
   options.stage = request.stage;
@@ -31,6 +33,11 @@ umbrella::Reconstruction run(const io::PointSet& points, const Request& request,
   if (request.repairs) options.faces = faces;
   if (request.time_limit) options.closing.seconds = *request.time_limit;
   options.threads = request.threads;
+  if (!request.programs.are_empty())
+    options.closing.on_program = [&](const ilp::LinearForm& form,
+                                     ilp::Status status) {
+      programs.add(form, status);
+    };
   const terminal::Interrupt interrupt;
   options.closing.stop = &terminal::Interrupt::flag();
   options.progress = [&](std::string_view stage) { progress.show(stage); };
@@ -93,6 +100,7 @@ Json stages_report(const Request& request,
                      {"dropped_points", result.dropped_rows},
                      {"dropped", dropped_report(result)},
                      {"conflicts", c.conflicts},
+                     {"timed_out", c.timed_out},
                      {"interrupted", terminal::Interrupt::flag().load()}};
   return json;
 }
@@ -132,6 +140,27 @@ std::string state_of(const umbrella::SurfaceReport& surface) {
   return text;
 }
 
+std::ptrdiff_t n_dropped(const umbrella::Reconstruction& result,
+                         umbrella::DropReason reason) {
+  return std::ranges::count(result.drop_reasons, reason);
+}
+
+// ", 3 points unused (2 no solution, 1 limit)", or nothing.
+std::string unused_text(const umbrella::Reconstruction& result) {
+  const std::size_t n_unused = result.surface.unused_vertices.size();
+  if (n_unused == 0) return "";
+  std::string why;
+  const auto add = [&](std::ptrdiff_t n, const char* reason) {
+    if (n > 0)
+      why += (why.empty() ? "" : ", ") + std::to_string(n) + " " + reason;
+  };
+  add(n_dropped(result, umbrella::DropReason::NoSolution), "no solution");
+  add(n_dropped(result, umbrella::DropReason::Limit), "limit");
+  return ", " + std::to_string(n_unused) +
+         (n_unused == 1 ? " point unused" : " points unused") +
+         (why.empty() ? "" : " (" + why + ")");
+}
+
 }  // namespace
 
 Outcome reconstruct_surface(const io::PointSet& points, const Request& request,
@@ -139,25 +168,25 @@ Outcome reconstruct_surface(const io::PointSet& points, const Request& request,
                             std::span<const umbrella::IndexedTriangle> faces) {
   if (request.curve)
     throw std::invalid_argument("--curve is for points in the plane");
-  umbrella::Reconstruction result = run(points, request, progress, faces);
+  ProgramFiles programs(request.programs);
+  umbrella::Reconstruction result =
+      run(points, request, progress, faces, programs);
   require_space(request, result);
   Outcome outcome;
   const auto vertex = take_used_rows(points, result.triangles, outcome.mesh);
   for (const auto& [a, b, c] : result.triangles)
     outcome.mesh.triangles.push_back({vertex[a], vertex[b], vertex[c]});
   outcome.report = full_report(request, result);
+  if (!request.programs.are_empty() && request.stage == Stage::Closed)
+    outcome.report["closing"]["programs"] = programs.answers();
   outcome.summary = std::to_string(result.surface.triangles) + " triangles";
   if (result.surface.genus)
     outcome.summary += ", genus " + std::to_string(*result.surface.genus);
-  const std::size_t n_unused = result.surface.unused_vertices.size();
-  if (n_unused > 0)
-    outcome.summary += ", " + std::to_string(n_unused) + " points unused";
+  outcome.summary += unused_text(result);
   outcome.state = state_of(result.surface);
-  outcome.sound =
-      result.surface.closed && result.surface.manifold &&
-      !terminal::Interrupt::flag() &&
-      std::count(result.drop_reasons.begin(), result.drop_reasons.end(),
-                 umbrella::DropReason::Limit) == 0;
+  outcome.sound = result.surface.closed && result.surface.manifold &&
+                  !terminal::Interrupt::flag() && !result.closing.timed_out &&
+                  n_dropped(result, umbrella::DropReason::Limit) == 0;
   outcome.lambda = std::move(result.lambda);
   return outcome;
 }

@@ -278,6 +278,54 @@ TEST_F(Command, RepairsATornMesh) {
   expect_error("repair flat.off", "3 distinct points of 4 needed");
 }
 
+// Too small balls: what they leave has no solution until the regions grow.
+TEST_F(Command, WritesEachProgramOfTheClosing) {
+  ASSERT_EQ(run("generate cube -n 300 --noise 0.3 -o s.ply").status, 0);
+  const Finished plain =
+      run("reconstruct s.ply --method alpha=0.1 -o plain.ply");
+  const Finished made =
+      run("reconstruct s.ply --method alpha=0.1 -o mesh.ply --report r.json "
+          "--threads 2 --write-opb p --write-lp p --write-mps p");
+  EXPECT_EQ(made.status, plain.status) << made.err;
+  EXPECT_EQ(folder_.content("mesh.ply"), folder_.content("plain.ply"));
+  const Json answers =
+      Json::parse(folder_.content("r.json"))["closing"]["programs"];
+  EXPECT_EQ(std::ranges::count(answers, "limit"), 0);
+  EXPECT_GT(std::ranges::count(answers, "feasible"), 0);
+  EXPECT_GT(std::ranges::count(answers, "infeasible"), 0);
+  for (std::size_t k = 1; k <= answers.size(); ++k) {
+    const std::string file = "p-" + std::to_string(k);
+    SCOPED_TRACE(file);
+    const bool is_feasible = answers[k - 1] == "feasible";
+    EXPECT_THAT(
+        run("solve " + file + ".opb").out,
+        HasSubstr(is_feasible ? "\ns SATISFIABLE\n" : "\ns UNSATISFIABLE\n"));
+    EXPECT_THAT(folder_.content(file + ".lp"), HasSubstr("Subject To"));
+    EXPECT_THAT(folder_.content(file + ".mps"), HasSubstr("ENDATA"));
+  }
+  const std::string next = "p-" + std::to_string(answers.size() + 1) + ".opb";
+  EXPECT_FALSE(std::filesystem::exists(folder_.path(next)));
+
+  folder_.file("p.xy", "0 0\n1 0\n0 1\n1 1\n");
+  expect_error("reconstruct p.xy --write-lp p", "are for points in space");
+  expect_error("reconstruct s.ply --write-lp no/p", "no/p-1.lp: cannot write");
+  expect_error("reconstruct s.ply --write-mps ''", "name of a file is empty");
+}
+
+TEST_F(Command, SaysThatTheTimeWasUp) {
+  ASSERT_EQ(run("generate sphere -n 400 --noise 1 -o s.ply").status, 0);
+  for (const bool is_short : {true, false}) {
+    SCOPED_TRACE(is_short);
+    const Finished made = run("reconstruct s.ply --report r.json" +
+                              std::string(is_short ? " --time-limit 0" : ""));
+    const Json report = Json::parse(folder_.content("r.json"));
+    EXPECT_EQ(report["closing"]["timed_out"], is_short);
+    EXPECT_EQ(report["surface"]["closed"], true);
+    EXPECT_EQ(report["surface"]["manifold"], true);
+    EXPECT_EQ(made.status, is_short ? 3 : 0) << made.err;
+  }
+}
+
 TEST_F(Command, StopsAfterTheStageAskedFor) {
   ASSERT_EQ(run("generate knot -n 1000 -o knot.ply").status, 0);
   EXPECT_EQ(run("reconstruct knot.ply --stage filter -o f.ply --report f.json")

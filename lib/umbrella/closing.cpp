@@ -98,6 +98,7 @@ ClosingResult Closing::run(std::span<const Hole> holes) {
   }
   for (const Task& task : tasks_) give_up(task);
   result_.report.conflicts += solver_.conflicts();
+  result_.report.timed_out |= solver_.is_timed_out();
   result_.triangles = surface_.sorted();
   std::sort(dropped_.begin(), dropped_.end());
   if (options_.mode == CloseMode::Best && options_.drop_points) label_cells();
@@ -146,6 +147,7 @@ std::vector<Attempt> Closing::attempts(std::span<const Region> regions,
   std::vector<Attempt> result(regions.size());
   std::atomic<std::size_t> next = 0;
   std::atomic<std::uint64_t> conflicts = 0;
+  std::atomic<bool> is_timed_out = false;
   const auto work = [&](RegionSolver& solver) {
     for (std::size_t i = next++; i < regions.size(); i = next++)
       result[i] = solver.attempt(regions[i], efforts[i]);
@@ -153,16 +155,20 @@ std::vector<Attempt> Closing::attempts(std::span<const Region> regions,
   {
     std::vector<std::jthread> others;
     const std::size_t n =
-        std::min<std::size_t>(options_.threads, regions.size());
+        options_.on_program
+            ? 1
+            : std::min<std::size_t>(options_.threads, regions.size());
     for (std::size_t k = 1; k < n; ++k)
       others.emplace_back([&] {
         RegionSolver solver(triangulation_, options_, surface_, is_open_);
         work(solver);
         conflicts += solver.conflicts();
+        if (solver.is_timed_out()) is_timed_out = true;
       });
     work(solver_);
   }
   result_.report.conflicts = conflicts;
+  result_.report.timed_out = is_timed_out;
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <span>
 #include <vector>
@@ -13,6 +14,11 @@
 #include "delaunay/triangulation3.h"
 #include "umbrella/holes.h"
 #include "umbrella/triangle.h"
+
+namespace ilp {
+struct LinearForm;
+enum class Status;
+}  // namespace ilp
 
 namespace umbrella {
 
@@ -54,6 +60,11 @@ struct ClosingOptions {
   /// Whether points may be left out where nothing else helps. Then the surface
   /// is closed whatever happens, in the end by cell_labels.h.
   bool drop_points = true;
+  /// Called after each search, always in the same order, with its program and
+  /// whether that has a solution. The program holds the inequalities (2) to (5)
+  /// of [Adamy02, Def. 3.3], those of (6) that the search has needed, and all
+  /// cuts. While it is set, `threads` counts for nothing.
+  std::function<void(const ilp::LinearForm&, ilp::Status)> on_program = {};
 };
 
 /// Why a point is not on the surface.
@@ -73,6 +84,7 @@ struct ClosingReport {
   std::size_t grown = 0;       ///< regions closed after growing
   std::size_t labelled = 0;    ///< of those given up, closed by cell labels
   std::uint64_t conflicts = 0;
+  bool timed_out = false;  ///< the wall clock cut a search short
 };
 
 struct ClosingResult {

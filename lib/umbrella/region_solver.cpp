@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "ilp/improve.h"
+#include "ilp/linear_form.h"
 #include "umbrella/region_solver_internal.h"
 #include "umbrella/rooms_internal.h"
 
@@ -29,6 +30,8 @@ struct RegionSolver::Work {
   std::vector<LocatedTriangle> candidates;
   ClosingProgram program;
   ilp::Solver solver;
+  std::vector<std::vector<ilp::Literal>> added;  // clauses, to the program
+  ilp::Status status = ilp::Status::Limit;       // of the program with these
   std::span<const Piece> allowed;
   Effort effort;  // for this attempt
   std::vector<ilp::VarId> worst_first;
@@ -44,6 +47,11 @@ struct RegionSolver::Work {
     result.vertices.assign(program.vertices().begin(),
                            program.vertices().end());
     result.freed.assign(program.freed().begin(), program.freed().end());
+  }
+
+  void add_clause(std::vector<ilp::Literal> clause) {
+    solver.add_clause(clause);
+    added.push_back(std::move(clause));
   }
 };
 
@@ -66,6 +74,7 @@ Attempt RegionSolver::attempt(const Region& region, Effort& effort,
   ClosingProgram program(surface_, candidates, region.vertices, how.may_drop);
   Work work(std::move(candidates), std::move(program));
   work.allowed = how.allowed;
+  if (options_.on_program) work.solver.keep_cycles();
   work.effort = {effort.conflicts / 2, effort.propagations / 2};
   order_worst_first(work);
   if (!solve_in_order(work)) {
@@ -78,6 +87,7 @@ Attempt RegionSolver::attempt(const Region& region, Effort& effort,
   effort.charge(
       used.conflicts,
       used.propagations + kStepsPerVariable * work.result.n_variables);
+  if (options_.on_program) tell(work);
   return std::move(work.result);
 }
 
@@ -154,7 +164,7 @@ void RegionSolver::order_worst_first(Work& work) const {
 /// vertex that is hard to keep goes.
 ///
 /// @return whether to go on; if not, the outcome is known
-bool RegionSolver::settle_dropped(Work& work, const AttemptOptions& how) const {
+bool RegionSolver::settle_dropped(Work& work, const AttemptOptions& how) {
   constexpr std::uint64_t kConflictsOfVertex = 500;
   const auto droppable = work.program.droppable();
   if (droppable.empty()) return true;
@@ -175,23 +185,22 @@ bool RegionSolver::settle_dropped(Work& work, const AttemptOptions& how) const {
     if (!solver.model()[index(is_dropped)]) continue;
     ilp::Limits some = limits(work);
     some.conflicts = std::min(some.conflicts, kConflictsOfVertex);
-    if (solver.solve(settled, some) != ilp::Status::Feasible)
-      settled.back() = !settled.back();
+    note(work, solver.solve(settled, some));
+    if (work.status != ilp::Status::Feasible) settled.back() = !settled.back();
   }
-  for (const ilp::Literal l : settled) solver.add_clause({&l, 1});
+  for (const ilp::Literal l : settled) work.add_clause({l});
   return true;
 }
 
 /// Takes from `kept`, ascending, what is in contradictions, until there is a
 /// model. @return false if there is none found; then the outcome is set
-bool RegionSolver::release_stuck(Work& work,
-                                 std::vector<ilp::Literal>& kept) const {
+bool RegionSolver::release_stuck(Work& work, std::vector<ilp::Literal>& kept) {
   Attempt& result = work.result;
   work.solver.set_priority(work.worst_first);
   while (true) {
-    const ilp::Status status = work.solver.solve(kept, limits(work));
-    if (status == ilp::Status::Feasible) return true;
-    if (status == ilp::Status::Limit) return false;
+    note(work, work.solver.solve(kept, limits(work)));
+    if (work.status == ilp::Status::Feasible) return true;
+    if (work.status == ilp::Status::Limit) return false;
     const ilp::Core core = work.solver.core();
     result.stuck = united(result.stuck, work.program.vertices_of(core));
     if (core.assumptions.empty()) {
@@ -233,13 +242,15 @@ void RegionSolver::search(Work& work) {
 
 ilp::Status RegionSolver::solve(Work& work) {
   if (options_.mode == CloseMode::Paper) {
-    const ilp::Status status = work.solver.solve({}, limits(work));
+    note(work, work.solver.solve({}, limits(work)));
     work.model = work.solver.model();
-    return status;
+    return work.status;
   }
   ilp::Improvement best =
       ilp::minimize_worst_first(work.solver, work.worst_first, limits(work));
   work.model = std::move(best.model);
+  note(work, best.status);
+  if (best.status == ilp::Status::Feasible) note_limit();
   return best.status;
 }
 
@@ -287,21 +298,50 @@ void RegionSolver::cut(Work& work, const Piece& piece) {
         });
     if (inside == 1 || inside == 2) clause.emplace_back(ilp::VarId{i}, true);
   }
-  work.solver.add_clause(clause);
+  work.add_clause(std::move(clause));
   work.result.pieces.push_back(piece);
+}
+
+/// What was found out, and whether the clock came first.
+void RegionSolver::note(Work& work, ilp::Status status) {
+  work.status = status;
+  if (status == ilp::Status::Limit) note_limit();
+}
+
+void RegionSolver::note_limit() {
+  if (seconds_left() <= 0) is_timed_out_ = true;
+}
+
+/// What was found under assumptions is found again without, so that the cycles
+/// behind it are known.
+void RegionSolver::tell(Work& work) {
+  if (work.result.outcome == Outcome::Infeasible &&
+      work.status != ilp::Status::Infeasible) {
+    for (const auto& [vertex, is_dropped] : work.program.droppable())
+      work.add_clause({ilp::Literal(is_dropped, false)});
+    work.status = work.solver.solve({}, limits(work));
+  }
+  ilp::Problem problem = work.program.problem();
+  for (const auto& clause : work.added) problem.add_clause(clause);
+  if (work.status == ilp::Status::Optimal) work.status = ilp::Status::Feasible;
+  options_.on_program(linear_form(problem, work.solver.cycles()), work.status);
+}
+
+double RegionSolver::seconds_left() const {
+  const std::chrono::duration<double> spent =
+      std::chrono::steady_clock::now() - start_;
+  return options_.seconds - spent.count();
 }
 
 /// What the attempt may still take.
 ilp::Limits RegionSolver::limits(const Work& work) const {
-  const std::chrono::duration<double> spent =
-      std::chrono::steady_clock::now() - start_;
   const ilp::Statistics used = work.solver.statistics();
   Effort left = work.effort;
   left.charge(used.conflicts, used.propagations);
   ilp::Limits limits;
   limits.conflicts = left.conflicts;
   limits.propagations = left.propagations;
-  limits.seconds = std::max(0.0, options_.seconds - spent.count());
+  limits.seconds = std::max(0.0, seconds_left());
   limits.stop = options_.stop;
   return limits;
 }

@@ -88,6 +88,8 @@ class RegionSolver {
 
   Neighborhoods& neighborhoods() { return neighborhoods_; }
   std::uint64_t conflicts() const { return conflicts_; }
+  /// Whether options.seconds cut a search short.
+  bool is_timed_out() const { return is_timed_out_; }
 
  private:
   struct Work;  // one attempt
@@ -96,14 +98,18 @@ class RegionSolver {
   void add_sides(Work& work) const;
   bool solve_in_order(Work& work);
   void order_worst_first(Work& work) const;
-  bool settle_dropped(Work& work, const AttemptOptions& how) const;
-  bool release_stuck(Work& work, std::vector<ilp::Literal>& kept) const;
+  bool settle_dropped(Work& work, const AttemptOptions& how);
+  bool release_stuck(Work& work, std::vector<ilp::Literal>& kept);
   void search(Work& work);
   ilp::Status solve(Work& work);
   static std::vector<VertexId> bare_vertices(const Work& work);
   bool read_model(Work& work);
   void cut(Work& work, const Piece& piece);
   ilp::Limits limits(const Work& work) const;
+  double seconds_left() const;
+  void note(Work& work, ilp::Status status);
+  void note_limit();
+  void tell(Work& work);
 
   const ClosingOptions& options_;
   const WorkingSurface& surface_;
@@ -112,6 +118,7 @@ class RegionSolver {
   Badness badness_;
   PieceFinder piece_finder_;
   std::uint64_t conflicts_ = 0;
+  bool is_timed_out_ = false;
   std::chrono::steady_clock::time_point start_;
 };
 

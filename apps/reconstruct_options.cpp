@@ -1,0 +1,84 @@
+#include "apps/reconstruct_options.h"
+
+#include <CLI/CLI.hpp>
+#include <map>
+
+namespace command {
+namespace {
+
+// Empty if the text names a file.
+std::string path_problem(const std::string& text) {
+  return text.empty() ? "the name of a file is empty" : "";
+}
+
+// Empty if the text is a time. (CLI::Range lets NaN through.)
+std::string seconds_problem(const std::string& text) {
+  double value = 0;
+  const bool is_time =
+      CLI::detail::lexical_cast(text, value) && value >= 0 && value <= 1e9;
+  return is_time ? "" : "Value " + text + " not in range 0 to 1e9";
+}
+
+}  // namespace
+
+void add_output_options(CLI::App& sub, ReconstructOptions& options) {
+  sub.add_option(
+         "-o,--output", options.out,
+         "Mesh file: .ply (with lambda), .off, .obj, .stl; of a curve .ply, "
+         ".obj, .svg, .txt; - is standard output, as PLY")
+      ->check(path_problem)
+      ->type_name("OUT");
+  sub.add_option("--report", options.report,
+                 "Counts, times and the certificate as JSON")
+      ->check(path_problem)
+      ->type_name("FILE");
+}
+
+void add_closing_options(CLI::App& sub, Request& request) {
+  sub.add_option("--close", request.close,
+                 "best: worst triangles last, no point left out if possible; "
+                 "paper: any solution of the paper's program [best]")
+      ->transform(
+          CLI::CheckedTransformer(std::map<std::string, umbrella::CloseMode>{
+              {"best", umbrella::CloseMode::Best},
+              {"paper", umbrella::CloseMode::Paper}}))
+      ->type_name("MODE");
+  sub.add_option(
+         "--time-limit", request.time_limit,
+         "Seconds for closing; regions undecided by then are closed by cell "
+         "labels")
+      ->check(seconds_problem)
+      ->type_name("S");
+}
+
+void add_program_options(CLI::App& sub, Request& request) {
+  const auto prefix = [&sub](const char* name, std::string& value,
+                             const char* extension) {
+    sub.add_option(name, value,
+                   std::string("Write each program of the closing as "
+                               "PREFIX-1") +
+                       extension + ", PREFIX-2" + extension + ", ...")
+        ->check(path_problem)
+        ->type_name("PREFIX");
+  };
+  prefix("--write-opb", request.programs.opb, ".opb");
+  prefix("--write-lp", request.programs.lp, ".lp");
+  prefix("--write-mps", request.programs.mps, ".mps");
+}
+
+void add_run_options(CLI::App& sub, ReconstructOptions& options) {
+  sub.add_option("--threads", options.request.threads,
+                 "At most so many threads, in space [1]")
+      ->check(CLI::Range(1U, 4096U))
+      ->type_name("N");
+  sub.add_flag("--quiet", options.quiet, "No summary, no progress");
+  sub.add_option("--color", options.color, "auto, always or never [auto]")
+      ->transform(
+          CLI::CheckedTransformer(std::map<std::string, terminal::Color>{
+              {"auto", terminal::Color::Auto},
+              {"always", terminal::Color::Always},
+              {"never", terminal::Color::Never}}))
+      ->type_name("WHEN");
+}
+
+}  // namespace command
