@@ -91,17 +91,6 @@ TEST(ReconstructThreads, GiveTheSameTrianglesOfAGrid) {
             0U);
 }
 
-TEST(ReconstructThreads, GiveTheSameTrianglesOfFewPoints) {
-  ReconstructOptions options = limited();
-  options.stage = Stage::Clean;
-  for (const Family family : tests::kFamilies)
-    for (const std::size_t n : {4U, 5U, 30U}) {
-      SCOPED_TRACE(testing::Message() << name(family) << " n " << n);
-      expect_same_on_any_number_of_threads(tests::make_points<3>(family, n, 1),
-                                           options);
-    }
-}
-
 TEST(ReconstructThreads, GiveTheSameUmbrellasByEveryChoice) {
   const auto points = shapes::sample("torus", 400, {.noise = 0.2});
   for (const UmbrellaChoice choice :
