@@ -5,12 +5,13 @@
 #   gcc      g++ without a warning, all tests
 #   clang    clang++ without a warning, unit tests
 #   asan     address and undefined-behaviour sanitizers, unit tests
+#   tsan     thread sanitizer, the tests that start threads
 #   tidy     clang-tidy on lib and apps
 # Without a gate all run, in this order; a failed gate does not stop the next.
 set -euo pipefail
 . "$(dirname "$0")/setup.sh"
 
-readonly ALL_GATES=(format limits gcc clang asan tidy)
+readonly ALL_GATES=(format limits gcc clang asan tsan tidy)
 
 run_gate() {
   case $1 in
@@ -19,6 +20,7 @@ run_gate() {
     gcc) scripts/test.sh --strict ;;
     clang) scripts/test.sh --strict --preset clang --label unit ;;
     asan) scripts/test.sh --strict --preset asan --label unit ;;
+    tsan) check_tsan ;;
     tidy) check_tidy ;;
   esac
 }
@@ -49,6 +51,15 @@ check_limits() {
     echo "$found"
     return 1
   fi
+}
+
+# Slow tests too: they are the ones with many points.
+check_tsan() {
+  configure tsan -DWARNINGS_AS_ERRORS=ON
+  cmake --build --preset tsan --target \
+    parallel_insertion_test reconstruct_threads_test closing_test
+  ctest --preset tsan --no-tests=error \
+    --tests-regex 'ParallelInsertion|RunTasks|Threads|ForRanges'
 }
 
 # Headers are seen through the sources that include them (.clang-tidy).

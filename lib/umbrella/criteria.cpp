@@ -11,12 +11,14 @@ namespace {
 using delaunay::Triangulation3;
 
 using Ranking = std::vector<RankedTriangle> (*)(const Triangulation3&,
-                                                const Circumspheres&);
+                                                const Circumspheres&,
+                                                unsigned threads);
 
 template <Criterion C>
 std::vector<RankedTriangle> ranking(const Triangulation3& triangulation,
-                                    const Circumspheres& spheres) {
-  return ranked_triangles(triangulation, spheres, C{});
+                                    const Circumspheres& spheres,
+                                    unsigned threads) {
+  return ranked_triangles(triangulation, spheres, C{}, threads);
 }
 
 struct Entry {
@@ -79,8 +81,9 @@ std::span<const std::string_view> criterion_names() { return kNames; }
 
 std::vector<RankedTriangle> ranked_by(std::string_view criterion,
                                       const Triangulation3& triangulation,
-                                      const Circumspheres& spheres) {
-  return find(criterion).rank(triangulation, spheres);
+                                      const Circumspheres& spheres,
+                                      unsigned threads) {
+  return find(criterion).rank(triangulation, spheres, threads);
 }
 
 void require_criterion(std::string_view name) { find(name); }

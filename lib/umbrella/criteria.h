@@ -77,7 +77,7 @@ std::span<const std::string_view> criterion_names();
 /// @throws std::invalid_argument  there is no such criterion
 std::vector<RankedTriangle> ranked_by(
     std::string_view criterion, const delaunay::Triangulation3& triangulation,
-    const Circumspheres& spheres);
+    const Circumspheres& spheres, unsigned threads = 1);
 
 /// Throws as ranked_by() does.
 void require_criterion(std::string_view name);

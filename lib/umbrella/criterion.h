@@ -26,6 +26,7 @@
 #include "umbrella/exact_order.h"
 #include "umbrella/exact_ratio.h"
 #include "umbrella/facets.h"
+#include "umbrella/ranges.h"
 #include "umbrella/triangle.h"
 
 namespace umbrella {
@@ -77,25 +78,22 @@ struct CircumradiusCriterion {
   }
 };
 
-/// All triangles of the triangulation that the criterion admits, by ascending
-/// corners. Depends on the set of points alone if the criterion does.
-template <Criterion C = PaperCriterion>
-std::vector<RankedTriangle> ranked_triangles(
+/// What the criterion admits of the facets of some cells, with ranks.
+template <Criterion C>
+std::vector<RankedTriangle> admitted(
     const delaunay::Triangulation3& triangulation, const Circumspheres& spheres,
-    const C& criterion = {}) {
-  const auto triangle = [&](delaunay::Facet facet) {
-    return DelaunayTriangle(triangulation, spheres, facet);
-  };
+    const C& criterion, IndexRange cells) {
   std::vector<RankedTriangle> triangles;
-  triangles.reserve(triangulation.n_finite_cells() / 2);
-  FacetBlocks blocks(triangulation);
+  triangles.reserve(cells.size() / 2);
+  FacetBlocks blocks(triangulation, cells);
   std::array<FacetRadii, FacetBlocks::kLargest> radii;
   for (auto block = blocks.next(); !block.empty(); block = blocks.next()) {
     std::size_t n = 0;
     for (const delaunay::Facet facet : block) {
       // Written always and kept or not: which it is, no processor can guess.
       block[n] = facet;
-      n += static_cast<std::size_t>(criterion.admissible(triangle(facet)));
+      n += static_cast<std::size_t>(criterion.admissible(
+          DelaunayTriangle(triangulation, spheres, facet)));
     }
     spheres.measure(block.first(n), std::span(radii).first(n));
     for (std::size_t i = 0; i < n; ++i) {
@@ -103,9 +101,25 @@ std::vector<RankedTriangle> ranked_triangles(
       triangles.push_back({t.corners(), block[i], criterion.rank(t)});
     }
   }
+  return triangles;
+}
+
+/// All triangles of the triangulation that the criterion admits, by ascending
+/// corners. Depends on the set of points alone if the criterion does.
+///
+/// @param threads  at most so many call the criterion, at the same time
+template <Criterion C = PaperCriterion>
+std::vector<RankedTriangle> ranked_triangles(
+    const delaunay::Triangulation3& triangulation, const Circumspheres& spheres,
+    const C& criterion = {}, unsigned threads = 1) {
+  auto triangles = joined(for_ranges(
+      triangulation.n_finite_cells(), threads, [&](IndexRange cells) {
+        return admitted(triangulation, spheres, criterion, cells);
+      }));
   if constexpr (ExactCriterion<C>)
     order_exactly(triangles, [&](delaunay::Facet facet) {
-      return criterion.exact_rank(triangle(facet));
+      return criterion.exact_rank(
+          DelaunayTriangle(triangulation, spheres, facet));
     });
   sort_by_corners(triangles);
   return triangles;

@@ -15,13 +15,12 @@ std::vector<delaunay::Facet> facets(
 }
 
 std::span<delaunay::Facet> FacetBlocks::next() {
-  const std::size_t n_cells = triangulation_->n_finite_cells();
   std::size_t n = 0;
   // A cell all of whose neighbours come before it gives none: the next may.
-  while (n == 0 && next_cell_ < n_cells) {
-    const std::size_t end = std::min(next_cell_ + kCells, n_cells);
-    for (; next_cell_ < end; ++next_cell_) {
-      const delaunay::CellId c{static_cast<std::uint32_t>(next_cell_)};
+  while (n == 0 && cells_.size() > 0) {
+    const std::size_t end = std::min(cells_.begin + kCells, cells_.end);
+    for (; cells_.begin < end; ++cells_.begin) {
+      const delaunay::CellId c{static_cast<std::uint32_t>(cells_.begin)};
       for (unsigned k = 0; k < 4; ++k) {
         const delaunay::CellId beyond =
             triangulation_->cell(c).neighbor[k].cell();

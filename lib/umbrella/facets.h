@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "delaunay/triangulation3.h"
+#include "umbrella/ranges.h"
 
 namespace umbrella {
 
@@ -20,7 +21,10 @@ std::vector<delaunay::Facet> facets(
 class FacetBlocks {
  public:
   explicit FacetBlocks(const delaunay::Triangulation3& triangulation)
-      : triangulation_(&triangulation) {}
+      : FacetBlocks(triangulation, {0, triangulation.n_finite_cells()}) {}
+  /// Those of some cells only.
+  FacetBlocks(const delaunay::Triangulation3& triangulation, IndexRange cells)
+      : triangulation_(&triangulation), cells_(cells) {}
 
   /// The next ones, which the caller may overwrite; none at the end. Valid
   /// until the next call.
@@ -32,7 +36,7 @@ class FacetBlocks {
   static constexpr std::size_t kCells = kLargest / 4;
 
   const delaunay::Triangulation3* triangulation_;
-  std::size_t next_cell_ = 0;
+  IndexRange cells_;  // that are left
   std::array<delaunay::Facet, kLargest> block_;
 };
 

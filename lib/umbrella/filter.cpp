@@ -12,6 +12,7 @@
 
 #include "umbrella/incidence_internal.h"
 #include "umbrella/link_graph_internal.h"
+#include "umbrella/vertex_filter_internal.h"
 
 namespace umbrella {
 namespace {
@@ -96,26 +97,11 @@ class UmbrellaPicker {
 }  // namespace
 
 FilterResult umbrella_filter(std::size_t n_vertices,
-                             std::span<const RankedTriangle> triangles) {
-  const Incidence incidence(
-      n_vertices, triangles.size(),
-      [&](TriangleIndex t) -> const Triangle& { return triangles[t].corners; });
-
-  FilterResult result;
-  UmbrellaPicker picker(n_vertices, triangles);
-  std::vector<bool> chosen(triangles.size());
-  for (std::size_t i = 0; i < n_vertices; ++i) {
-    const VertexId v{static_cast<std::uint32_t>(i)};
-    const auto umbrella = picker.pick(v, incidence.at(v));
-    if (umbrella.empty()) result.without_umbrella.push_back(v);
-    for (const TriangleIndex t : umbrella) chosen[t] = true;
-  }
-
-  result.triangles.reserve(
-      static_cast<std::size_t>(std::count(chosen.begin(), chosen.end(), true)));
-  for (TriangleIndex t = 0; t < triangles.size(); ++t)
-    if (chosen[t]) result.triangles.push_back(triangles[t]);
-  return result;
+                             std::span<const RankedTriangle> triangles,
+                             unsigned threads) {
+  return filter_by_vertex(n_vertices, triangles, threads, [&] {
+    return UmbrellaPicker(n_vertices, triangles);
+  });
 }
 
 }  // namespace umbrella

@@ -26,7 +26,9 @@ struct FilterResult {
 ///
 /// @param n_vertices  all ids in `triangles` are below it
 /// @param triangles  distinct, in any order
+/// @param threads  at most so many, with the same result for any number
 FilterResult umbrella_filter(std::size_t n_vertices,
-                             std::span<const RankedTriangle> triangles);
+                             std::span<const RankedTriangle> triangles,
+                             unsigned threads = 1);
 
 }  // namespace umbrella

@@ -108,8 +108,10 @@ std::vector<LocatedTriangle> Pipeline::triangles_of(
   if (options_.stage == Stage::Clean) return without_ranks(clean.triangles);
 
   const std::vector<Hole> open = holes(n, clean);
+  ClosingOptions closing = options_.closing;
+  closing.threads = options_.threads;
   ClosingResult closed = timed("closing", result_.seconds.closing, [&] {
-    return close_holes(triangulation, clean.triangles, open, options_.closing);
+    return close_holes(triangulation, clean.triangles, open, closing);
   });
   result_.closing = closed.report;
   dropped_ = std::move(closed.dropped);
@@ -128,12 +130,14 @@ FilterResult Pipeline::filtered(const Triangulation3& triangulation,
   }
   double seconds = 0;
   const auto ranked = timed("lambda", seconds, [&] {
-    return ranked_by(options_.criterion, triangulation, spheres);
+    return ranked_by(options_.criterion, triangulation, spheres,
+                     options_.threads);
   });
   result_.seconds.lambda += seconds;
   result_.counts.admissible_triangles = ranked.size();
   return timed("filter", result_.seconds.filter, [&] {
-    return umbrella_filter(triangulation.points(), ranked, options_.umbrella);
+    return umbrella_filter(triangulation.points(), ranked, options_.umbrella,
+                           options_.threads);
   });
 }
 

@@ -34,7 +34,8 @@ struct ReconstructOptions {
   UmbrellaChoice umbrella = UmbrellaChoice::First;
   CleanUpOptions clean_up = {};
   ClosingOptions closing = {};
-  /// At most so many; the result is the same for any number.
+  /// At most so many, closing.threads notwithstanding; the result is the same
+  /// for any number.
   unsigned threads = 1;
   /// Triangles of another surface, as rows of the points: those that are
   /// Delaunay take the place of the filter's choice, which says no more than
@@ -60,6 +61,9 @@ struct ReconstructCounts {
   std::size_t clean_without_umbrella = 0;
   std::size_t holes = 0;
   std::size_t largest_hole_vertices = 0;
+
+  friend bool operator==(const ReconstructCounts&,
+                         const ReconstructCounts&) = default;
 };
 
 /// Wall clock of each stage.

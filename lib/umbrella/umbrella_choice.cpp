@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "umbrella/incidence_internal.h"
+#include "umbrella/vertex_filter_internal.h"
 
 namespace umbrella {
 namespace {
@@ -48,7 +49,7 @@ class CycleFinder {
 
   /// @param at_v  the triangles at v
   /// @return the umbrella chosen, empty if there is none
-  std::vector<TriangleIndex> find(VertexId v,
+  std::vector<TriangleIndex> pick(VertexId v,
                                   std::span<const TriangleIndex> at_v) {
     build(v, at_v);
     best_.clear();
@@ -201,24 +202,12 @@ UmbrellaChoice umbrella_choice(std::string_view name) {
 
 FilterResult umbrella_filter(std::span<const Point3> points,
                              std::span<const RankedTriangle> triangles,
-                             UmbrellaChoice choice) {
+                             UmbrellaChoice choice, unsigned threads) {
   if (choice == UmbrellaChoice::First)
-    return umbrella_filter(points.size(), triangles);
-  const Incidence incidence(
-      points.size(), triangles.size(),
-      [&](TriangleIndex t) -> const Triangle& { return triangles[t].corners; });
-
-  FilterResult result;
-  CycleFinder finder(points, triangles, choice);
-  std::vector<bool> chosen(triangles.size());
-  for (std::uint32_t i = 0; i < points.size(); ++i) {
-    const auto umbrella = finder.find(VertexId{i}, incidence.at(VertexId{i}));
-    if (umbrella.empty()) result.without_umbrella.push_back(VertexId{i});
-    for (const TriangleIndex t : umbrella) chosen[t] = true;
-  }
-  for (TriangleIndex t = 0; t < triangles.size(); ++t)
-    if (chosen[t]) result.triangles.push_back(triangles[t]);
-  return result;
+    return umbrella_filter(points.size(), triangles, threads);
+  return filter_by_vertex(points.size(), triangles, threads, [&] {
+    return CycleFinder(points, triangles, choice);
+  });
 }
 
 }  // namespace umbrella

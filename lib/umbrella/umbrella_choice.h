@@ -34,6 +34,6 @@ UmbrellaChoice umbrella_choice(std::string_view name);
 /// @param triangles  distinct; primary ranks not negative
 FilterResult umbrella_filter(std::span<const Point3> points,
                              std::span<const RankedTriangle> triangles,
-                             UmbrellaChoice choice);
+                             UmbrellaChoice choice, unsigned threads = 1);
 
 }  // namespace umbrella
