@@ -105,9 +105,12 @@ bool RegionSolver::solve_in_order(Work& work) {
   do {
     ilp::Limits few = limits(work);
     const std::uint64_t used = work.solver.statistics().conflicts;
-    few.conflicts = std::min(few.conflicts, kConflicts - used);
-    if (work.solver.solve({}, few) != ilp::Status::Feasible) {
+    few.conflicts =
+        std::min(few.conflicts, kConflicts - std::min(used, kConflicts));
+    work.status = work.solver.solve({}, few);
+    if (work.status != ilp::Status::Feasible) {
       work.result.pieces.clear();
+      work.added.clear();
       return false;
     }
     work.model = work.solver.model();
@@ -141,6 +144,7 @@ void RegionSolver::add_sides(Work& work) const {
       neighborhoods_.cells(),
       {work.candidates, fixed, work.program.vertices(), is_open_}));
   work.solver = ilp::Solver(work.program.problem());
+  if (options_.on_program) work.solver.keep_cycles();
 }
 
 void RegionSolver::order_worst_first(Work& work) const {
