@@ -57,6 +57,7 @@ constexpr int kKnotPlaces = 512;
 
 std::vector<Vector3d> knot_places() {
   std::vector<Vector3d> places;
+  places.reserve(kKnotPlaces);
   for (int i = 0; i < kKnotPlaces; ++i)
     places.push_back(knot_center(static_cast<double>(i) / kKnotPlaces));
   return places;

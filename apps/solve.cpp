@@ -87,6 +87,7 @@ std::vector<ilp::VarId> order_of(const std::vector<ilp::Term>& objective) {
     return std::abs(s.coefficient) > std::abs(t.coefficient);
   });
   std::vector<ilp::VarId> order;
+  order.reserve(terms.size());
   for (const ilp::Term& t : terms) order.push_back(t.var);
   return order;
 }
