@@ -115,6 +115,7 @@ void Closing::solve_as_given(std::vector<Region> regions) {
     for (const VertexId v : region.vertices) is_open_[index(v)] = true;
   }
   std::vector<Effort> efforts;
+  efforts.reserve(regions.size());
   for (const Region& region : regions) efforts.push_back(effort_for(region));
   std::vector<Attempt> first = attempts(regions, efforts);
   for (std::size_t i = 0; i < regions.size(); ++i) {

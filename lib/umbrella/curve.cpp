@@ -230,6 +230,7 @@ class Run {
            edge.length});
     }
     std::vector<std::uint32_t> indices;
+    indices.reserve(start.size());
     for (const Edge& ends : start)
       indices.push_back(static_cast<std::uint32_t>(
           std::ranges::lower_bound(edges, ends, {}, &DelaunayEdge::ends) -
