@@ -297,6 +297,14 @@ SpatialOrder<3> spatial_order(std::span<const Eigen::Vector3d> points,
   return order<3>(points, threads);
 }
 
+std::vector<std::uint32_t> first_rows(std::size_t n_points,
+                                      std::span<const VertexId> vertex_of_row) {
+  std::vector<std::uint32_t> rows(n_points);
+  for (std::size_t row = vertex_of_row.size(); row-- > 0;)
+    rows[index(vertex_of_row[row])] = static_cast<std::uint32_t>(row);
+  return rows;
+}
+
 std::vector<VertexId> insertion_order(std::size_t n) {
   // Each round holds eight times the points of all rounds before it.
   static constexpr unsigned kLog2Growth = 3;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -31,6 +32,12 @@ SpatialOrder<2> spatial_order(std::span<const Eigen::Vector2d> points,
                               unsigned threads = 1);
 SpatialOrder<3> spatial_order(std::span<const Eigen::Vector3d> points,
                               unsigned threads = 1);
+
+/// The first input row of each point.
+///
+/// @param vertex_of_row  as in SpatialOrder, of `n_points` points
+std::vector<std::uint32_t> first_rows(std::size_t n_points,
+                                      std::span<const VertexId> vertex_of_row);
 
 /// Biased randomised insertion order [Amenta03]: 0 .. n-1 cut into rounds of
 /// growing size, each round a pseudo-random subset in ascending order.

@@ -1,13 +1,13 @@
 #include "umbrella/curve.h"
 
 #include <algorithm>
-#include <chrono>
 #include <iterator>
-#include <limits>
 #include <utility>
 
+#include "delaunay/spatial_sort.h"
 #include "predicates/predicates.h"
 #include "umbrella/curve_filter.h"
+#include "umbrella/stopwatch.h"
 
 namespace umbrella {
 namespace {
@@ -75,30 +75,6 @@ void orient(const Triangulation2& t, std::vector<VertexId>& curve) {
                                         t.point(curve[i]).data(),
                                         t.point(curve[(i + 1) % n]).data());
   if (turn < 0) std::reverse(curve.begin() + 1, curve.end());
-}
-
-/// Seconds since the last call.
-class Stopwatch {
- public:
-  double lap() {
-    const auto now = Clock::now();
-    return std::chrono::duration<double>(now - std::exchange(last_, now))
-        .count();
-  }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point last_ = Clock::now();
-};
-
-std::vector<std::uint32_t> first_rows(const Triangulation2& t) {
-  constexpr auto kNone = std::numeric_limits<std::uint32_t>::max();
-  std::vector<std::uint32_t> row_of(t.points().size(), kNone);
-  for (std::uint32_t row = 0; row < t.vertex_of_row().size(); ++row) {
-    std::uint32_t& first = row_of[index(t.vertex_of_row()[row])];
-    first = std::min(first, row);
-  }
-  return row_of;
 }
 
 double lambda_of(const Edge& edge, std::span<const DelaunayEdge> edges) {
@@ -169,7 +145,7 @@ class Run {
                       .duplicates = points.size() - t_.points().size(),
                       .delaunay_cells = t_.n_finite_cells(),
                       .delaunay_edges = (3 * t_.n_finite_cells() + n_hull) / 2};
-    row_of_ = first_rows(t_);
+    row_of_ = delaunay::first_rows(t_.points().size(), t_.vertex_of_row());
   }
 
   CurveReconstruction go() && {

@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "delaunay/spatial_sort.h"
 #include "umbrella/filter.h"
 #include "umbrella/methods.h"
 #include "umbrella/stopwatch.h"
@@ -190,15 +191,6 @@ std::vector<Hole> Pipeline::holes(std::size_t n_vertices,
   return found;
 }
 
-/// The first row of each vertex.
-std::vector<std::uint32_t> first_rows(const Triangulation3& triangulation) {
-  const auto vertex_of_row = triangulation.vertex_of_row();
-  std::vector<std::uint32_t> rows(triangulation.points().size());
-  for (std::size_t row = vertex_of_row.size(); row-- > 0;)
-    rows[index(vertex_of_row[row])] = static_cast<std::uint32_t>(row);
-  return rows;
-}
-
 /// The oriented triangles; fills result_.lambda.
 std::vector<IndexedTriangle> Pipeline::surface(
     const Triangulation3& triangulation, const Circumspheres& spheres,
@@ -236,7 +228,8 @@ void Pipeline::finish(const Triangulation3& triangulation,
     return check_surface(triangulation.points(), result_.triangles);
   });
 
-  const std::vector<std::uint32_t> row = first_rows(triangulation);
+  const std::vector<std::uint32_t> row = delaunay::first_rows(
+      triangulation.points().size(), triangulation.vertex_of_row());
   for (std::uint32_t& v : result_.surface.unused_vertices) v = row[v];
   std::sort(result_.surface.unused_vertices.begin(),
             result_.surface.unused_vertices.end());

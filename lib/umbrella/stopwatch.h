@@ -3,6 +3,7 @@
 #pragma once
 
 #include <chrono>
+#include <utility>
 
 namespace umbrella {
 
@@ -11,6 +12,12 @@ class Stopwatch {
  public:
   double seconds() const {
     return std::chrono::duration<double>(Clock::now() - start_).count();
+  }
+  /// The seconds so far; starts anew.
+  double lap() {
+    const auto now = Clock::now();
+    return std::chrono::duration<double>(now - std::exchange(start_, now))
+        .count();
   }
 
  private:
