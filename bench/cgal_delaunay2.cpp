@@ -3,7 +3,6 @@
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
-#include <chrono>
 #include <vector>
 
 namespace bench {
@@ -14,12 +13,15 @@ CgalDelaunay2 cgal_delaunay2(std::span<const Eigen::Vector2d> points) {
   copy.reserve(points.size());
   for (const Eigen::Vector2d& p : points) copy.emplace_back(p[0], p[1]);
 
-  const auto start = std::chrono::steady_clock::now();
-  const CGAL::Delaunay_triangulation_2<Kernel> t(copy.begin(), copy.end());
-  const std::chrono::duration<double> time =
-      std::chrono::steady_clock::now() - start;
-  const bool is_planar = t.dimension() == 2;
-  return {is_planar ? t.number_of_faces() : 0, time.count()};
+  std::size_t n_finite_cells = 0;
+  const Seconds seconds = seconds_of(
+      [&copy] {
+        return CGAL::Delaunay_triangulation_2<Kernel>(copy.begin(), copy.end());
+      },
+      [&n_finite_cells](const auto& t) {
+        n_finite_cells = t.dimension() == 2 ? t.number_of_faces() : 0;
+      });
+  return {n_finite_cells, seconds};
 }
 
 }  // namespace bench

@@ -3,7 +3,6 @@
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
-#include <chrono>
 #include <vector>
 
 namespace bench {
@@ -14,11 +13,15 @@ CgalDelaunay3 cgal_delaunay3(std::span<const Eigen::Vector3d> points) {
   copy.reserve(points.size());
   for (const Eigen::Vector3d& p : points) copy.emplace_back(p[0], p[1], p[2]);
 
-  const auto start = std::chrono::steady_clock::now();
-  const CGAL::Delaunay_triangulation_3<Kernel> t(copy.begin(), copy.end());
-  const std::chrono::duration<double> time =
-      std::chrono::steady_clock::now() - start;
-  return {t.number_of_finite_cells(), time.count()};
+  std::size_t n_finite_cells = 0;
+  const Seconds seconds = seconds_of(
+      [&copy] {
+        return CGAL::Delaunay_triangulation_3<Kernel>(copy.begin(), copy.end());
+      },
+      [&n_finite_cells](const auto& t) {
+        n_finite_cells = t.number_of_finite_cells();
+      });
+  return {n_finite_cells, seconds};
 }
 
 }  // namespace bench

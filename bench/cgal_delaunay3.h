@@ -6,11 +6,13 @@
 #include <cstddef>
 #include <span>
 
+#include "bench/seconds.h"
+
 namespace bench {
 
 struct CgalDelaunay3 {
   std::size_t n_finite_cells;
-  double seconds;  ///< of the construction alone, without copying the points
+  Seconds seconds;  ///< of the construction alone, without copying the points
 };
 
 /// Delaunay_triangulation_3 with compact location, the kernel of exact

@@ -1,45 +1,36 @@
 /// @file
 /// Ours against CGAL in the plane, in one process and in turn: prints the
-/// median seconds of both and the median of the ratios, which holds when the
-/// machine's speed drifts. Usage: delaunay2_peers [RUNS [POINTS [KIND]]]
+/// median user and wall seconds of both (bench/seconds.h) and the medians of
+/// their ratios, which hold when the machine's speed drifts.
+/// Usage: delaunay2_peers [RUNS [POINTS [KIND]]]
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
-#include <vector>
 
 #include "bench/cgal_delaunay2.h"
+#include "bench/comparison.h"
 #include "bench/planar_inputs.h"
 #include "delaunay/triangulation2.h"
 
 namespace {
 
-double median(std::vector<double> values) {
-  const auto middle =
-      values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
-}
-
 void compare(std::string_view kind, std::size_t n, int n_runs) {
   const auto points = bench::planar_input(kind, n);
-  std::vector<double> ours, cgal, ratios;
+  bench::Comparison comparison;
   for (int run = 0; run < n_runs; ++run) {
-    const auto start = std::chrono::steady_clock::now();
-    const delaunay::Triangulation2 t(points);
-    const std::chrono::duration<double> time =
-        std::chrono::steady_clock::now() - start;
+    std::size_t n_cells = 0;
+    const bench::Seconds ours = bench::seconds_of(
+        [&points] { return delaunay::Triangulation2(points); },
+        [&n_cells](const auto& t) { n_cells = t.n_finite_cells(); });
     const bench::CgalDelaunay2 peer = bench::cgal_delaunay2(points);
-    if (peer.n_finite_cells != t.n_finite_cells())
-      std::printf("cells differ: %zu, CGAL %zu\n", t.n_finite_cells(),
+    if (peer.n_finite_cells != n_cells)
+      std::printf("cells differ: %zu, CGAL %zu\n", n_cells,
                   peer.n_finite_cells);
-    ours.push_back(time.count());
-    cgal.push_back(peer.seconds);
-    ratios.push_back(time.count() / peer.seconds);
+    comparison.add(ours, peer.seconds);
   }
-  std::printf("%-14s %8zu %9.3f %9.3f %7.2f\n", std::string(kind).c_str(),
-              points.size(), median(ours), median(cgal), median(ratios));
+  std::printf("%-14s %8zu %s\n", std::string(kind).c_str(), points.size(),
+              comparison.row().c_str());
   std::fflush(stdout);
 }
 
@@ -50,8 +41,8 @@ int main(int argc, char** argv) {
   const std::size_t n =
       argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 1'000'000;
   const std::string only = argc > 3 ? argv[3] : "";
-  std::printf("%-14s %8s %9s %9s %7s\n", "input", "points", "ours s", "CGAL s",
-              "ratio");
+  std::printf("%-14s %8s %s\n", "input", "points",
+              bench::Comparison::header().c_str());
   // CGAL takes quadratic time on a line.
   constexpr std::size_t kMaxCollinear = 20'000;
   for (const std::string_view kind : bench::kPlanarInputs)

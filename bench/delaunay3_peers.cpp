@@ -1,19 +1,20 @@
 /// @file
-/// Ours against CGAL in one process, run in turn: prints the median seconds of
-/// both and the median of the ratios, which holds when the machine's speed
-/// drifts; and by how much each raises the peak of resident memory, in MB.
-/// Usage: delaunay3_peers [RUNS [LARGEST_N]]
+/// Ours against CGAL in one process, run in turn: prints the median user and
+/// wall seconds of both (bench/seconds.h), the medians of their ratios, which
+/// hold when the machine's speed drifts, and by how much each raises the peak
+/// of resident memory, in MB.
+/// Usage: delaunay3_peers [RUNS [LARGEST_N [INPUT]]]
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
 #include "apps/shapes.h"
 #include "bench/cgal_delaunay3.h"
+#include "bench/comparison.h"
+#include "bench/memory.h"
 #include "delaunay/triangulation3.h"
 #include "io/points.h"
 
@@ -34,63 +35,49 @@ constexpr Input kInputs[] = {
 
 constexpr const char* kDragon = "data/real/dragon_vrip.ply";
 
-/// A number of /proc/self/status in MB; 0 where the system has none.
-double memory(const std::string& name) {
-  std::ifstream status("/proc/self/status");
-  for (std::string line; std::getline(status, line);)
-    if (line.starts_with(name + ":"))
-      return std::atof(line.c_str() + name.size() + 1) * 1024e-6;
-  return 0;
-}
-
-/// Seconds it takes, and how much memory it adds at its peak.
-struct Cost {
-  double seconds;
-  double megabytes;
-};
-
+/// By how much `run` raises the peak.
 template <class Run>
-Cost cost(Run run) {
-  std::ofstream("/proc/self/clear_refs") << 5;  // resets the peak
-  const double before = memory("VmRSS");
-  const auto start = std::chrono::steady_clock::now();
+double added_memory(const Run& run) {
+  bench::reset_peak_memory();
+  const double before = bench::resident_memory();
   run();
-  const std::chrono::duration<double> time =
-      std::chrono::steady_clock::now() - start;
-  return {time.count(), memory("VmHWM") - before};
-}
-
-double median(std::vector<double> values) {
-  const auto middle =
-      values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
+  return bench::peak_memory() - before;
 }
 
 void compare(const char* name, const std::vector<Eigen::Vector3d>& points,
              int n_runs) {
-  std::vector<double> ours, cgal, ratios;
+  bench::Comparison comparison;
   double our_memory = 0;
   double cgal_memory = 0;
   for (int run = 0; run < n_runs; ++run) {
     std::size_t n_cells = 0;
+    bench::Seconds ours;
     bench::CgalDelaunay3 peer{};
-    const Cost our_cost = cost(
-        [&] { n_cells = delaunay::Triangulation3(points).n_finite_cells(); });
-    const Cost cgal_cost = cost([&] { peer = bench::cgal_delaunay3(points); });
+    our_memory = std::max(
+        our_memory, added_memory([&] {
+          ours = bench::seconds_of(
+              [&points] { return delaunay::Triangulation3(points); },
+              [&n_cells](const auto& t) { n_cells = t.n_finite_cells(); });
+        }));
+    cgal_memory =
+        std::max(cgal_memory,
+                 added_memory([&] { peer = bench::cgal_delaunay3(points); }));
     if (peer.n_finite_cells != n_cells)
       std::printf("cells differ: %zu, CGAL %zu\n", n_cells,
                   peer.n_finite_cells);
-    ours.push_back(our_cost.seconds);
-    cgal.push_back(peer.seconds);
-    ratios.push_back(our_cost.seconds / peer.seconds);
-    our_memory = std::max(our_memory, our_cost.megabytes);
-    cgal_memory = std::max(cgal_memory, cgal_cost.megabytes);
+    comparison.add(ours, peer.seconds);
   }
-  std::printf("%-12s %8zu %9.3f %9.3f %7.2f %8.0f %8.0f\n", name, points.size(),
-              median(ours), median(cgal), median(ratios), our_memory,
-              cgal_memory);
+  std::printf("%-12s %8zu %s %8.0f %8.0f\n", name, points.size(),
+              comparison.row().c_str(), our_memory, cgal_memory);
   std::fflush(stdout);
+}
+
+void compare_shapes(int n_runs, std::size_t largest, const std::string& only) {
+  for (const Input& input : kInputs)
+    if (input.n <= largest && (only.empty() || only == input.shape))
+      compare(input.shape,
+              shapes::sample(input.shape, input.n, {.noise = input.noise}),
+              n_runs);
 }
 
 }  // namespace
@@ -99,13 +86,11 @@ int main(int argc, char** argv) {
   const int n_runs = argc > 1 ? std::max(1, std::atoi(argv[1])) : 5;
   const std::size_t largest =
       argc > 2 ? std::strtoull(argv[2], nullptr, 10) : std::size_t{1} << 40U;
-  std::printf("%-12s %8s %9s %9s %7s %8s %8s\n", "input", "points", "ours s",
-              "CGAL s", "ratio", "ours MB", "CGAL MB");
-  for (const Input& input : kInputs)
-    if (input.n <= largest)
-      compare(input.shape,
-              shapes::sample(input.shape, input.n, {.noise = input.noise}),
-              n_runs);
+  const std::string only = argc > 3 ? argv[3] : "";
+  std::printf("%-12s %8s %s %8s %8s\n", "input", "points",
+              bench::Comparison::header().c_str(), "ours MB", "CGAL MB");
+  compare_shapes(n_runs, largest, only);
+  if (!only.empty() && only != "dragon_vrip") return 0;
   if (std::filesystem::exists(kDragon))
     compare("dragon_vrip", io::read_points(kDragon).points, n_runs);
   else
