@@ -219,6 +219,7 @@ bool BowyerWatson3::in_conflict_exact(const Cell& cell, const double* p) const {
 void BowyerWatson3::lengthen_lists(std::size_t n) {
   cavity_.resize(n);
   boundary_.resize(n);
+  open_.resize(n);
   star_.resize(n);
   corners_.resize(n);
   rim_.resize(n / 2 + 3);
@@ -226,41 +227,55 @@ void BowyerWatson3::lengthen_lists(std::size_t n) {
 }
 
 // Breadth first, through all facets of each cell but the one it was entered
-// by. Ends with false, and marks in place, where the cavity leaves the region.
+// by; cells that need the exact predicate wait until no other is left. Ends
+// with false, and marks in place, where the cavity leaves the region.
 template <class Region>
 bool BowyerWatson3::find_cavity(CellId seed, const double* p,
                                 const Region& region) {
   CavitySearch search{.cells = cells_,
                       .cavity = cavity_.data(),
                       .boundary = boundary_.data(),
+                      .open = open_.data(),
                       .p = {p[0], p[1], p[2]}};
   search.add(Facet(seed, 0), true);
+  search.look(cells_[index(seed)].neighbor[0]);
+  count(counters_.sphere_tests);
   std::size_t k = 0;
-  for (; k < search.n_cavity; ++k) {
+  while (k < search.n_cavity) {
     if (search.needed_room() > cavity_.size()) [[unlikely]] {
       lengthen_lists(2 * cavity_.size());
       search.cavity = cavity_.data();
       search.boundary = boundary_.data();
+      search.open = open_.data();
     }
     prefetch_around(search.ahead(k));
     const Facet entry = search.cavity[k];
     const Cell& cell = cells_[index(entry.cell())];
     if (!region.owns(cell)) break;
     const auto neighbor = cell.neighbor;
-    std::uint32_t undecided = 0;
-    if (k == 0) undecided = search.look(neighbor[0]);
     for (unsigned i = 1; i < 4; ++i)
-      undecided |= search.look(neighbor[(entry.index() + i) % 4]);
-    count(counters_.sphere_tests, k == 0 ? 4 : 3);
-    if (undecided == 0) [[likely]]
-      continue;
-    for (const Facet f : neighbor)
-      if (!search.has_seen(f))
-        search.add(f, in_conflict_exact(cells_[index(f.cell())], p));
+      search.look(neighbor[(entry.index() + i) % 4]);
+    count(counters_.sphere_tests, 3);
+    ++k;
+    if (k == search.n_cavity && search.n_open > 0) [[unlikely]]
+      search = with_open_decided(search);
   }
   n_cavity_ = search.n_cavity;
   n_boundary_ = search.n_boundary;
   return k == search.n_cavity;
+}
+
+/// A cell met twice is open twice, but tested once. By value, so that the
+/// search that calls it can stay in registers.
+CavitySearch BowyerWatson3::with_open_decided(CavitySearch search) const {
+  for (std::size_t i = 0; i < search.n_open; ++i) {
+    const Facet f = search.open[i];
+    if (search.is_open(f))
+      search.add(f,
+                 in_conflict_exact(cells_[index(f.cell())], search.p.data()));
+  }
+  search.n_open = 0;
+  return search;
 }
 
 void BowyerWatson3::forget_cavity() {

@@ -14,6 +14,8 @@
 
 namespace delaunay {
 
+struct CavitySearch;
+
 /// Inserts vertices into a mesh. Several may work on one mesh at a time, each
 /// within a part of its own; all use the numbers 0 .. n_inserters - 1.
 class alignas(128) BowyerWatson3 {  // shares no cache line with another
@@ -67,6 +69,7 @@ class alignas(128) BowyerWatson3 {  // shares no cache line with another
   bool in_conflict_exact(const Cell& cell, const double* p) const;
   template <class Region>
   bool find_cavity(CellId seed, const double* p, const Region& region);
+  CavitySearch with_open_decided(CavitySearch search) const;
   void prefetch_around(Facet entry);
   void lengthen_lists(std::size_t n);
   void forget_cavity();
@@ -113,6 +116,7 @@ class alignas(128) BowyerWatson3 {  // shares no cache line with another
   // counter-clockwise order seen from the cavity, an infinite one the last.
   std::vector<Facet> cavity_;  // each cell through the facet of its entry
   std::vector<Facet> boundary_;
+  std::vector<Facet> open_;   // left to the exact predicate
   std::size_t n_cavity_ = 0;  // so many are in use
   std::size_t n_boundary_ = 0;
   std::vector<CellId> star_;

@@ -1,7 +1,6 @@
 #include "predicates/lattice.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "predicates/filter_internal.h"
@@ -11,7 +10,6 @@ namespace predicates {
 namespace {
 
 using internal::certain_sign;
-using internal::Insphere;
 using internal::Orient3d;
 using internal::Points;
 using internal::vector3;
@@ -23,25 +21,57 @@ double largest_coordinate(const Offset& v) {
   return std::max(std::max(std::abs(v.x), std::abs(v.y)), std::abs(v.z));
 }
 
-bool lexicographically_less(const double* p, const double* q) {
-  // No branch: they would be guessed wrong.
-  const bool less_z = p[2] < q[2];
-  const bool less_y = (p[1] < q[1]) | ((p[1] == q[1]) & less_z);
-  return (p[0] < q[0]) | ((p[0] == q[0]) & less_y);
+/// Two numbers in a vector register of a size that every 64-bit processor has.
+using Lanes [[gnu::vector_size(16)]] = double;
+
+/// A number for each corner a, b, c, d of a cell.
+struct Quad {
+  Lanes ab, cd;
+
+  friend Quad operator+(const Quad& p, const Quad& q) {
+    return {p.ab + q.ab, p.cd + q.cd};
+  }
+  friend Quad operator-(const Quad& p, const Quad& q) {
+    return {p.ab - q.ab, p.cd - q.cd};
+  }
+  friend Quad operator*(const Quad& p, const Quad& q) {
+    return {p.ab * q.ab, p.cd * q.cd};
+  }
+  friend Quad operator*(double s, const Quad& q) {
+    return {s * q.ab, s * q.cd};
+  }
+};
+
+/// To each corner what the next has, in the circle a b c d.
+Quad next(const Quad& q) {
+  return {__builtin_shufflevector(q.ab, q.cd, 1, 2),
+          __builtin_shufflevector(q.cd, q.ab, 1, 2)};
+}
+Quad opposite(const Quad& q) { return {q.cd, q.ab}; }
+
+double sum(const Quad& q) {
+  const Lanes s = q.ab + q.cd;
+  return s[0] + s[1];
 }
 
-/// Of the points whose raise has weight in a vanishing determinant, the
-/// largest decides; the query outside. The weights are the minors.
-int raised_sign(const Points<5>& p, const std::array<double, 4>& minor) {
-  const double* largest = p[4];
-  double decisive = -1;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const double weight = i % 2 == 0 ? minor[i] : -minor[i];
-    const bool wins = (weight != 0) & lexicographically_less(largest, p[i]);
-    largest = wins ? p[i] : largest;
-    decisive = wins ? weight : decisive;
-  }
-  return certain_sign(decisive, 0);
+constexpr Lanes kZero = {};
+
+Lanes max(const Lanes& p, const Lanes& q) { return p > q ? p : q; }
+
+/// 0 if none is positive.
+double largest(const Quad& q) {
+  const Lanes m = max(max(q.ab, q.cd), kZero);
+  return std::max(m[0], m[1]);
+}
+
+Quad where_positive(const Quad& condition, const Quad& q) {
+  return {condition.ab > kZero ? q.ab : kZero,
+          condition.cd > kZero ? q.cd : kZero};
+}
+
+Quad where_negative(const Quad& condition, const Quad& q) {
+  return {condition.ab < kZero ? q.ab : kZero,
+          condition.cd < kZero ? q.cd : kZero};
 }
 
 }  // namespace
@@ -56,19 +86,38 @@ int Lattice::orient3d(const double* a, const double* b, const double* c,
   return certain_sign(Orient3d::evaluate(kMinus, Points<4>{a, b, c, d}), 0);
 }
 
+// The determinant of internal::Insphere, expanded by the corners' squared
+// distances from e: their cofactors are the weights of the corners' raises.
+// Of the corners with a weight, and e with a negative one, the
+// lexicographically largest decides where the determinant vanishes.
 int Lattice::insphere_perturbed(const double* a, const double* b,
                                 const double* c, const double* d,
                                 const double* e) const {
   constexpr double kReach = 0x1p9;
-  const std::array q = {vector3(kMinus, a, e), vector3(kMinus, b, e),
-                        vector3(kMinus, c, e), vector3(kMinus, d, e)};
-  double reach = 0;
-  for (const Offset& v : q) reach = std::max(reach, largest_coordinate(v));
-  if (reach > kReach * unit_)
+  constexpr Quad kSigns = {{1, -1}, {1, -1}};
+  if (unit_ == 0) return predicates::insphere_perturbed(a, b, c, d, e);
+  const Quad x = {{a[0] - e[0], b[0] - e[0]}, {c[0] - e[0], d[0] - e[0]}};
+  const Quad y = {{a[1] - e[1], b[1] - e[1]}, {c[1] - e[1], d[1] - e[1]}};
+  const Quad z = {{a[2] - e[2], b[2] - e[2]}, {c[2] - e[2], d[2] - e[2]}};
+  const Quad norm2 = x * x + y * y + z * z;
+  if (largest(norm2) > (kReach * unit_) * (kReach * unit_))
     return predicates::insphere_perturbed(a, b, c, d, e);
-  const auto minor = Insphere::minors(q);
-  const double det = Insphere::evaluate(q, minor);
-  return det != 0 ? certain_sign(det, 0) : raised_sign({a, b, c, d, e}, minor);
+
+  // ab, bc, cd, da and ac, bd, ca, db, where pq = p.x q.y - p.y q.x.
+  const Quad side = x * next(y) - y * next(x);
+  const Quad diagonal = x * opposite(y) - y * opposite(x);
+  const Quad weight =
+      kSigns * (next(side) * next(opposite(z)) - next(diagonal) * opposite(z) +
+                opposite(side) * next(z));
+  const double det = sum(weight * norm2);
+  if (det != 0) return certain_sign(det, 0);
+
+  // Of two points the lexicographically larger has the larger place.
+  const Quad place = 0x1p22 * x + 0x1p11 * y + z;
+  const double raises = largest(where_positive(weight, place));
+  const double lowers = largest(where_negative(weight, place));
+  // No branch, which would be guessed wrong.
+  return std::signbit(lowers - raises) * 2 - 1;
 }
 
 }  // namespace predicates
