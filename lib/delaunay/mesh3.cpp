@@ -30,7 +30,7 @@ predicates::Lattice find_lattice(std::span<const Point3> points) {
 Mesh3::Mesh3(std::span<const Point3> points, unsigned n_inserters)
     : sites(points.size()), lattice(find_lattice(points)) {
   for (std::size_t i = 0; i < points.size(); ++i)
-    sites[i].at = {points[i][0], points[i][1], points[i][2]};
+    sites[i] = {.at = {points[i][0], points[i][1], points[i][2]}};
   // Uniform points make 6.8 cells each, scanned surfaces 6 to 9. Memory that
   // is never touched costs nothing, and moving all cells doubles the peak.
   make_room(std::min(points.size() * 10 + n_inserters * FreshCells::kBlock,

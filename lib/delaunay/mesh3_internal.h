@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "delaunay/cell_vector.h"
 #include "delaunay/counters.h"
+#include "delaunay/lazy_vector.h"
 #include "delaunay/triangulation3.h"
 #include "predicates/lattice.h"
 
@@ -41,7 +41,7 @@ struct Mesh3 {
   static bool is_cell(const Cell& c) { return c.vertex[0] != kInfinite; }
   static void remove(Cell& c) { c.vertex[0] = kInfinite; }
 
-  std::vector<Site> sites;      // by vertex
+  LazyVector<Site> sites;       // by vertex
   predicates::Lattice lattice;  // on which all sites lie, if there is one
   LazyVector<Cell> cells;       // used and unused ones
   std::size_t max_cells = std::size_t{1} << 30U;  // a Facet holds 30 bits

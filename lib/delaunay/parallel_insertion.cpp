@@ -31,7 +31,7 @@ class Crew {
 
   void start(const std::array<VertexId, 4>& first);
   /// @param round  ascending
-  void insert(Vertices round);
+  void insert(std::span<const VertexId> round);
   std::size_t finish();
 
  private:
@@ -72,10 +72,11 @@ void Crew::start(const std::array<VertexId, 4>& first) {
 constexpr std::array<std::array<double, 3>, 3> kAcross = {
     {{2, 3, 6}, {3, -6, 2}, {6, 2, -3}}};
 
-void Crew::insert(Vertices round) {
+void Crew::insert(std::span<const VertexId> round) {
   // A thread is worth its start for fewer vertices than in a new round, as the
   // others wait for them. Where most are put off, parts are too small.
   static constexpr std::size_t kRestShare = 16;
+  Vertices put_off;
   auto n_parts = static_cast<unsigned>(
       std::min(round.size() / min_vertices_, inserters_.size()));
   for (unsigned pass = 0; pass <= kAcross.size() && n_parts > 1; ++pass) {
@@ -84,7 +85,8 @@ void Crew::insert(Vertices round) {
     else
       cut_space(kAcross[pass - 1], round, n_parts);
     const std::size_t n_before = round.size();
-    round = insert_in_parts(round, n_parts);
+    put_off = insert_in_parts(round, n_parts);
+    round = put_off;
     if (n_parts > 2 && 2 * round.size() > n_before) n_parts /= 2;
     n_parts = static_cast<unsigned>(std::min<std::size_t>(
         n_parts, kRestShare * round.size() / min_vertices_));
@@ -209,17 +211,16 @@ std::size_t Crew::finish() {
 }  // namespace
 
 std::size_t insert_all(Mesh3& mesh, const std::array<VertexId, 4>& first,
-                       std::span<const VertexId> order,
+                       std::vector<VertexId> order,
                        const InsertionOptions& options) {
   Crew crew(mesh, options);
   crew.start(first);
+  std::erase_if(order, [&](VertexId v) {
+    return std::ranges::find(first, v) != first.end();
+  });
   for (auto begin = order.begin(); begin != order.end();) {
     const auto end = std::is_sorted_until(begin, order.end());
-    Vertices round(begin, end);
-    std::erase_if(round, [&](VertexId v) {
-      return std::ranges::find(first, v) != first.end();
-    });
-    crew.insert(std::move(round));
+    crew.insert({begin, end});
     begin = end;
   }
   return crew.finish();

@@ -4,7 +4,7 @@
 
 #include <array>
 #include <cstddef>
-#include <span>
+#include <vector>
 
 #include "delaunay/mesh3_internal.h"
 
@@ -25,7 +25,7 @@ struct InsertionOptions {
 /// @param order  all vertices, in rounds that ascend
 /// @return how many cells, the first ones, lie inside the hull
 std::size_t insert_all(Mesh3& mesh, const std::array<VertexId, 4>& first,
-                       std::span<const VertexId> order,
+                       std::vector<VertexId> order,
                        const InsertionOptions& options);
 
 }  // namespace delaunay

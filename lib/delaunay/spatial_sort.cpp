@@ -188,7 +188,7 @@ void sort_by_key(std::span<Keyed> range, unsigned threads) {
   std::vector<std::uint32_t> end((std::size_t{1} << bits) + 1, 0);
   for (const Keyed& k : range) ++end[(k.key >> shift) + 1];
   for (std::size_t b = 1; b < end.size(); ++b) end[b] += end[b - 1];
-  const std::vector<Keyed> unsorted(range.begin(), range.end());
+  const LazyVector<Keyed> unsorted(range.begin(), range.end());
   for (const Keyed& k : unsorted) range[end[k.key >> shift]++] = k;
   for_pieces(end.size() - 1, threads, [&](std::size_t b, std::size_t last) {
     std::uint32_t begin = b == 0 ? 0 : end[b - 1];
@@ -254,7 +254,7 @@ SpatialOrder<kDim> order(std::span<const Point<kDim>> points,
   SpatialOrder<kDim> result;
   if (points.empty()) return result;
 
-  std::vector<Keyed> keyed(points.size());
+  LazyVector<Keyed> keyed(points.size());
   for (std::size_t row = 0; row < points.size(); ++row)
     keyed[row] = {0, static_cast<std::uint32_t>(row)};
   std::vector<std::span<Keyed>> pending = {std::span<Keyed>(keyed)};

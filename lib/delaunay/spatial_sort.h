@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "delaunay/ids.h"
+#include "delaunay/lazy_vector.h"
 
 namespace delaunay {
 
@@ -19,7 +20,7 @@ template <int kDim>
 struct SpatialOrder {
   /// Along a Hilbert curve through the bounding cube; points of one curve cell
   /// by coordinates, x first.
-  std::vector<Eigen::Matrix<double, kDim, 1>> points;
+  LazyVector<Eigen::Matrix<double, kDim, 1>> points;
   /// For each input row, its position in `points`; duplicates share one. -0
   /// and 0 are equal, and `points` holds 0.
   std::vector<VertexId> vertex_of_row;

@@ -9,8 +9,8 @@
 #include <span>
 #include <vector>
 
-#include "delaunay/cell_vector.h"
 #include "delaunay/ids.h"
+#include "delaunay/lazy_vector.h"
 
 namespace delaunay {
 
@@ -75,7 +75,7 @@ class Triangulation2 {
   const Cell2& cell(CellId c) const { return cells_[index(c)]; }
 
  private:
-  std::vector<Point2> points_;
+  LazyVector<Point2> points_;
   std::vector<VertexId> vertex_of_row_;
   LazyVector<Cell2> cells_;
   std::size_t n_finite_cells_ = 0;

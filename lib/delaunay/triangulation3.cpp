@@ -70,13 +70,22 @@ int scaling_exponent(std::span<const Point3> points) {
 }
 
 /// Exact, by the choice of the exponent.
-void scale(std::vector<Point3>& points, int exponent) {
+void scale(LazyVector<Point3>& points, int exponent) {
   if (exponent == 0) return;
   // In two steps, for 2^1074 is no double.
   const double first = std::ldexp(1, exponent / 2);
   const double second = std::ldexp(1, exponent - exponent / 2);
   for (Point3& p : points)
     for (double& x : p) x = x * first * second;
+}
+
+LazyVector<Point3> points_of_vertices(std::size_t n,
+                                      std::span<const Point3> rows,
+                                      std::span<const VertexId> vertex_of_row) {
+  LazyVector<Point3> points(n);
+  for (std::size_t row = 0; row < rows.size(); ++row)
+    points[index(vertex_of_row[row])] = rows[row] + Point3::Zero();  // no -0
+  return points;
 }
 
 }  // namespace
@@ -94,19 +103,23 @@ Triangulation3::Triangulation3(std::span<const Point3> points,
   dimension_ = frame.size - 1;
   if (dimension_ < 3) return;
 
+  // The mesh has its own copy of the points, so none is kept beside it.
+  const std::size_t n = points_.size();
   const int exponent = scaling_exponent(points_);
   scale(points_, exponent);
   scale_exponent_ = -exponent;
   InsertionOptions options;
   options.threads = static_cast<unsigned>(std::clamp<std::size_t>(
-      points_.size() / options.min_vertices, 1,
+      n / options.min_vertices, 1,
       std::clamp(threads, 1U, InsertionOptions::kMaxThreads)));
-  Mesh3 mesh(points_, options.threads);
-  n_finite_cells_ =
-      insert_all(mesh, frame.vertex, insertion_order(points_.size()), options);
-  cells_ = std::move(mesh.cells);
-  counters_ = mesh.counters;
-  scale(points_, -exponent);
+  {
+    Mesh3 mesh(std::exchange(points_, {}), options.threads);
+    n_finite_cells_ =
+        insert_all(mesh, frame.vertex, insertion_order(n), options);
+    cells_ = std::move(mesh.cells);
+    counters_ = mesh.counters;
+  }
+  points_ = points_of_vertices(n, points, vertex_of_row_);
 }
 
 }  // namespace delaunay

@@ -9,9 +9,9 @@
 #include <span>
 #include <vector>
 
-#include "delaunay/cell_vector.h"
 #include "delaunay/counters.h"
 #include "delaunay/ids.h"
+#include "delaunay/lazy_vector.h"
 
 namespace delaunay {
 
@@ -95,7 +95,7 @@ class Triangulation3 {
   const Counters& counters() const { return counters_; }
 
  private:
-  std::vector<Point3> points_;
+  LazyVector<Point3> points_;
   std::vector<VertexId> vertex_of_row_;
   LazyVector<Cell> cells_;
   std::size_t n_finite_cells_ = 0;
