@@ -98,7 +98,8 @@ std::vector<RankedTriangle> admitted(
     spheres.measure(block.first(n), std::span(radii).first(n));
     for (std::size_t i = 0; i < n; ++i) {
       const DelaunayTriangle t(triangulation, spheres, block[i], &radii[i]);
-      triangles.push_back({t.corners(), block[i], criterion.rank(t)});
+      triangles.push_back(
+          {t.corners(), block[i], criterion.rank(t), t.squared_lambda_lower()});
     }
   }
   return triangles;
