@@ -84,7 +84,9 @@ std::vector<RankedTriangle> admitted(
     const delaunay::Triangulation3& triangulation, const Circumspheres& spheres,
     const C& criterion, IndexRange cells) {
   std::vector<RankedTriangle> triangles;
-  triangles.reserve(cells.size() / 2);
+  // Of a scan some two in five cells give one, of a solid more; what is never
+  // used is never laid out.
+  triangles.reserve(cells.size());
   FacetBlocks blocks(triangulation, cells);
   std::array<FacetRadii, FacetBlocks::kLargest> radii;
   for (auto block = blocks.next(); !block.empty(); block = blocks.next()) {
