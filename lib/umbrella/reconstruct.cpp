@@ -195,7 +195,8 @@ FilterResult Pipeline::filtered(const Triangulation3& triangulation,
 CleanUpResult Pipeline::cleaned(std::size_t n_vertices,
                                 const FilterResult& filtered) {
   CleanUpResult clean = timed("clean_up", result_.seconds.clean_up, [&] {
-    return clean_up(n_vertices, filtered.triangles, options_.clean_up);
+    return clean_up(n_vertices, filtered.triangles, options_.clean_up,
+                    filtered.unsettled);
   });
   ReconstructCounts& counts = result_.counts;
   counts.deleted_type2 = clean.n_type2;
