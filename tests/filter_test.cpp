@@ -136,7 +136,8 @@ TEST(LinkGraph, FindsCyclesAndBridgesAsTheDefinitionSays) {
     const auto expected = tests::on_cycle(edges);
     EXPECT_EQ(graph.has_cycle(), std::find(expected.begin(), expected.end(),
                                            true) != expected.end());
-    EXPECT_EQ(graph.drop_bridges(), expected);
+    const auto& stays = graph.drop_bridges();
+    EXPECT_EQ(std::vector<bool>(stays.begin(), stays.end()), expected);
     LinkEdges cyclic;
     for (std::size_t i = 0; i < edges.size(); ++i)
       if (expected[i]) cyclic.push_back(edges[i]);

@@ -38,13 +38,13 @@ class Linker {
     const auto node_of_end = [&spokes](std::size_t i) {
       return i % 2 == 0 ? spokes[i / 2].a : spokes[i / 2].b;
     };
-    const auto nodes = Rows<VarId>::grouped(
-        2 * spokes.size(), 2 * spokes.size(), node_of_end,
-        [&spokes](std::size_t i) { return spokes[i / 2].var; });
+    nodes_.group(2 * spokes.size(), 2 * spokes.size(), node_of_end,
+                 [&spokes](std::size_t i) { return spokes[i / 2].var; });
 
-    pair_of_node_.assign(nodes.size(), 0);
-    for (std::size_t node = 0; node < nodes.size(); ++node)
-      if (!nodes[node].empty()) pair_of_node_[node] = pair_with(nodes[node], r);
+    pair_of_node_.assign(nodes_.size(), 0);
+    for (std::size_t node = 0; node < nodes_.size(); ++node)
+      if (!nodes_[node].empty())
+        pair_of_node_[node] = pair_with(nodes_[node], r);
 
     linked_.clear();
     for (const Spoke& s : spokes)
@@ -78,6 +78,7 @@ class Linker {
   Rows<std::uint32_t> pairs_of_;
   std::vector<std::uint32_t> mark_;  // last search whose node has the variable
   std::uint32_t n_searches_ = 0;
+  Rows<VarId> nodes_;  // of the ring at hand, as the next two
   std::vector<std::uint32_t> pair_of_node_;
   std::vector<LinkedSpoke> linked_;
 };

@@ -36,14 +36,20 @@ class Rows {
   static Rows grouped(std::size_t n_rows, std::size_t n_entries, KeyOf key_of,
                       ItemOf item_of) {
     Rows rows;
-    rows.begin_.assign(n_rows + 1, 0);
-    for (std::size_t i = 0; i < n_entries; ++i) ++rows.begin_[key_of(i)];
-    std::uint32_t end = 0;
-    for (std::uint32_t& begin : rows.begin_) begin = end += begin;
-    rows.items_.resize(n_entries);
-    for (std::size_t i = n_entries; i-- > 0;)
-      rows.items_[--rows.begin_[key_of(i)]] = item_of(i);
+    rows.group(n_rows, n_entries, key_of, item_of);
     return rows;
+  }
+  /// The same, in place of the rows before.
+  template <class KeyOf, class ItemOf>
+  void group(std::size_t n_rows, std::size_t n_entries, KeyOf key_of,
+             ItemOf item_of) {
+    begin_.assign(n_rows + 1, 0);
+    for (std::size_t i = 0; i < n_entries; ++i) ++begin_[key_of(i)];
+    std::uint32_t end = 0;
+    for (std::uint32_t& begin : begin_) begin = end += begin;
+    items_.resize(n_entries);
+    for (std::size_t i = n_entries; i-- > 0;)
+      items_[--begin_[key_of(i)]] = item_of(i);
   }
 
  private:

@@ -17,8 +17,16 @@ namespace {
 
 enum class Fate : std::uint8_t { Alive, Type2, Type3, Dissolved };
 
+std::vector<VertexId> all_vertices(std::size_t n) {
+  std::vector<VertexId> all(n);
+  for (std::size_t v = 0; v < n; ++v)
+    all[v] = VertexId{static_cast<std::uint32_t>(v)};
+  return all;
+}
+
 class CleanUp {
  public:
+  /// All vertices are taken to have one umbrella and no other triangles.
   CleanUp(std::size_t n_vertices, std::span<const RankedTriangle> triangles)
       : triangles_(triangles),
         incidence_(n_vertices, triangles.size(),
@@ -29,11 +37,12 @@ class CleanUp {
         graph_(n_vertices),
         fate_(triangles.size(), Fate::Alive),
         type3_corners_(triangles.size()),
-        has_umbrella_(n_vertices),
-        is_dirty_(n_vertices, true),
+        has_umbrella_(n_vertices, true),
+        is_dirty_(n_vertices),
         worst_first_(RanksBefore{triangles}) {}
 
-  void delete_types_2_and_3();
+  /// @param dirty  vertices where that is not so
+  void delete_types_2_and_3(std::vector<VertexId> dirty);
   void dissolve_pieces(std::size_t largest);
   CleanUpResult result() const;
 
@@ -79,10 +88,7 @@ class CleanUp {
   std::vector<TriangleIndex> alive_at_v_;
 };
 
-void CleanUp::delete_types_2_and_3() {
-  std::vector<VertexId> dirty(has_umbrella_.size());
-  for (std::size_t v = 0; v < dirty.size(); ++v)
-    dirty[v] = VertexId{static_cast<std::uint32_t>(v)};
+void CleanUp::delete_types_2_and_3(std::vector<VertexId> dirty) {
   while (!dirty.empty()) {
     std::vector<TriangleIndex> type2;
     for (const VertexId v : dirty) classify(v, type2);
@@ -116,11 +122,11 @@ void CleanUp::classify_in_full(VertexId v, std::vector<TriangleIndex>& type2) {
   if (!graph_.has_cycle()) return;
 
   const bool is_of_type3 = !graph_.has_one_cycle();
-  const std::vector<bool>& in_umbrella = graph_.drop_bridges();
+  const std::vector<std::uint8_t>& in_umbrella = graph_.drop_bridges();
   for (std::size_t k = 0; k < alive_at_v_.size(); ++k) {
     const TriangleIndex t = alive_at_v_[k];
-    if (!in_umbrella[k]) type2.push_back(t);
-    if (!in_umbrella[k] || !is_of_type3) continue;
+    if (in_umbrella[k] == 0) type2.push_back(t);
+    if (in_umbrella[k] == 0 || !is_of_type3) continue;
     type3_corners_[t] |= corner_bit(t, v);
     worst_first_.push(t);
   }
@@ -155,25 +161,26 @@ std::vector<VertexId> CleanUp::delete_all(std::span<const TriangleIndex> doomed,
 /// share a vertex with an umbrella are all in it, so pieces are what triangles
 /// join, and closed if each vertex has an umbrella.
 void CleanUp::dissolve_pieces(std::size_t largest) {
-  DisjointSets pieces(has_umbrella_.size());
+  const std::size_t n = has_umbrella_.size();
+  DisjointSets pieces(n);
+  std::vector<std::uint32_t> n_triangles(
+      n);  // at the corner, then in the piece
   for_each_alive([&](TriangleIndex t) {
     const auto& [a, b, c] = triangles_[t].corners;
     pieces.unite(index(a), index(b));
     pieces.unite(index(a), index(c));
+    ++n_triangles[index(a)];
   });
-  const auto piece_of = [&](TriangleIndex t) {
-    return pieces.root(index(triangles_[t].corners[0]));
-  };
-
-  std::vector<std::size_t> n_triangles(has_umbrella_.size());
-  for_each_alive([&](TriangleIndex t) { ++n_triangles[piece_of(t)]; });
-  std::vector<bool> is_doomed(has_umbrella_.size());
-  for (std::size_t v = 0; v < is_doomed.size(); ++v)
-    is_doomed[v] = n_triangles[v] <= largest;
-  for (std::size_t v = 0; v < has_umbrella_.size(); ++v)
+  for (std::size_t v = 0; v < n; ++v)
+    if (const std::uint32_t root = pieces.root(v); root != v)
+      n_triangles[root] += n_triangles[v];
+  std::vector<bool> is_doomed(n);
+  for (std::size_t v = 0; v < n; ++v)
+    is_doomed[v] = n_triangles[v] > 0 && n_triangles[v] <= largest;
+  for (std::size_t v = 0; v < n; ++v)
     if (!has_umbrella_[v]) is_doomed[pieces.root(v)] = false;
   for_each_alive([&](TriangleIndex t) {
-    if (!is_doomed[piece_of(t)]) return;
+    if (!is_doomed[pieces.root(index(triangles_[t].corners[0]))]) return;
     fate_[t] = Fate::Dissolved;
     for (const VertexId v : triangles_[t].corners)
       has_umbrella_[index(v)] = false;
@@ -204,9 +211,10 @@ CleanUpResult CleanUp::result() const {
 
 CleanUpResult clean_up(std::size_t n_vertices,
                        std::span<const RankedTriangle> triangles,
-                       const CleanUpOptions& options) {
+                       const CleanUpOptions& options,
+                       const std::optional<std::vector<VertexId>>& unsettled) {
   CleanUp work(n_vertices, triangles);
-  work.delete_types_2_and_3();
+  work.delete_types_2_and_3(unsettled ? *unsettled : all_vertices(n_vertices));
   work.dissolve_pieces(options.largest_dissolved);
   return work.result();
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -36,8 +37,11 @@ struct CleanUpResult {
 ///
 /// @param n_vertices  all ids in `triangles` are below it
 /// @param triangles  distinct
-CleanUpResult clean_up(std::size_t n_vertices,
-                       std::span<const RankedTriangle> triangles,
-                       const CleanUpOptions& options = {});
+/// @param unsettled  vertices at which there are other triangles than those of
+///   one umbrella, or none; ascending. All may be, if nobody knows
+CleanUpResult clean_up(
+    std::size_t n_vertices, std::span<const RankedTriangle> triangles,
+    const CleanUpOptions& options = {},
+    const std::optional<std::vector<VertexId>>& unsettled = {});
 
 }  // namespace umbrella

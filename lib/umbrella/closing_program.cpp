@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include "umbrella/closing_program_internal.h"
 
@@ -18,13 +19,9 @@ bool contains(std::span<const VertexId> ascending, VertexId v) {
 
 ClosingProgram::ClosingProgram(const WorkingSurface& surface,
                                std::span<const LocatedTriangle> candidates,
-                               std::span<const VertexId> vertices,
+                               std::vector<VertexId> vertices,
                                std::span<const VertexId> may_drop)
-    : n_candidates_(candidates.size()),
-      vertices_(vertices.begin(), vertices.end()) {
-  for (const auto& c : candidates)
-    vertices_.insert(vertices_.end(), c.corners.begin(), c.corners.end());
-  sort_unique(vertices_);
+    : n_candidates_(candidates.size()), vertices_(std::move(vertices)) {
   add_members(surface, candidates);
   add_pairs();
   add_rings(may_drop);
@@ -114,27 +111,29 @@ void ClosingProgram::add_rings(std::span<const VertexId> may_drop) {
 
 void ClosingProgram::add_ring(VertexId v, std::span<const Member> members,
                               bool may_drop) {
-  std::vector<VertexId> ends;
+  ends_.clear();
   for (const Member& m : members)
-    for (const VertexId end : opposite_edge(m.corners, v)) ends.push_back(end);
-  sort_unique(ends);
+    for (const VertexId end : opposite_edge(m.corners, v)) ends_.push_back(end);
+  sort_unique(ends_);
   const auto node = [&](VertexId end) {
     return static_cast<std::uint32_t>(
-        std::lower_bound(ends.begin(), ends.end(), end) - ends.begin());
+        std::lower_bound(ends_.begin(), ends_.end(), end) - ends_.begin());
   };
-  std::vector<ilp::Spoke> spokes;
+  spokes_.clear();
   bool has_fixed = false;
   for (const Member& m : members) {
     const auto [a, b] = opposite_edge(m.corners, v);
-    spokes.push_back({m.var, node(a), node(b)});
+    spokes_.push_back({m.var, node(a), node(b)});
     has_fixed = has_fixed || index(m.var) >= n_candidates_;
   }
   const bool optional = may_drop && !has_fixed;
-  problem_.add_ring(spokes, optional);
+  problem_.add_ring(spokes_, optional);
   vertex_of_ring_.push_back(v);
-  if (!optional) return;
+  if (optional) let_drop(v, members);
+}
 
-  // is_dropped, or some triangle at v.
+/// is_dropped, or some triangle at v.
+void ClosingProgram::let_drop(VertexId v, std::span<const Member> members) {
   const ilp::VarId is_dropped = problem_.add_variable();
   std::vector<ilp::Literal> clause = {ilp::Literal(is_dropped, true)};
   for (const Member& m : members) clause.emplace_back(m.var, true);

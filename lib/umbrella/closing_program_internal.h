@@ -20,12 +20,13 @@ namespace umbrella {
 class ClosingProgram {
  public:
   /// @param candidates  distinct, ascending
-  /// @param vertices  those of the region, covered or not
+  /// @param vertices  all corners of these, and perhaps more to be covered;
+  ///   ascending
   /// @param may_drop  vertices that may stay without triangles if no fixed
   ///   triangle is there; ascending
   ClosingProgram(const WorkingSurface& surface,
                  std::span<const LocatedTriangle> candidates,
-                 std::span<const VertexId> vertices,
+                 std::vector<VertexId> vertices,
                  std::span<const VertexId> may_drop);
 
   /// Says in addition that the candidates part inside from outside.
@@ -67,6 +68,7 @@ class ClosingProgram {
   void add_pairs();
   void add_rings(std::span<const VertexId> may_drop);
   void add_ring(VertexId v, std::span<const Member> members, bool may_drop);
+  void let_drop(VertexId v, std::span<const Member> members);
 
   ilp::Problem problem_;
   std::size_t n_candidates_;
@@ -76,6 +78,8 @@ class ClosingProgram {
   std::vector<Edge> edge_of_pair_;
   std::vector<VertexId> vertex_of_ring_;
   std::vector<Droppable> droppable_;
+  std::vector<VertexId> ends_;      // scratch: of the spokes of a ring
+  std::vector<ilp::Spoke> spokes_;  // scratch
 };
 
 }  // namespace umbrella

@@ -84,7 +84,9 @@ std::vector<RankedTriangle> admitted(
     const delaunay::Triangulation3& triangulation, const Circumspheres& spheres,
     const C& criterion, IndexRange cells) {
   std::vector<RankedTriangle> triangles;
-  triangles.reserve(cells.size() / 2);
+  // Of a scan some two in five cells give one, of a solid more; what is never
+  // used is never laid out.
+  triangles.reserve(cells.size());
   FacetBlocks blocks(triangulation, cells);
   std::array<FacetRadii, FacetBlocks::kLargest> radii;
   for (auto block = blocks.next(); !block.empty(); block = blocks.next()) {
@@ -98,7 +100,8 @@ std::vector<RankedTriangle> admitted(
     spheres.measure(block.first(n), std::span(radii).first(n));
     for (std::size_t i = 0; i < n; ++i) {
       const DelaunayTriangle t(triangulation, spheres, block[i], &radii[i]);
-      triangles.push_back({t.corners(), block[i], criterion.rank(t)});
+      triangles.push_back(
+          {t.corners(), block[i], criterion.rank(t), t.squared_lambda_lower()});
     }
   }
   return triangles;

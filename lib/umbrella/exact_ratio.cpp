@@ -23,7 +23,7 @@ struct ExactRatio::Large {
   std::function<WholeFraction()> evaluate;
   std::optional<WholeFraction> whole;
   Origin origin;
-  std::array<Extent, 6> extents;
+  std::array<Extent, 3> extents;
 };
 
 namespace {
@@ -66,30 +66,60 @@ Extent extent(const Point3& p, const Point3& q) {
   return result;
 }
 
-/// Of each edge between two points: those of the first three, then to the last.
-std::array<Extent, 6> extents(const std::array<Point3, 4>& p) {
-  return {extent(p[0], p[1]), extent(p[0], p[2]), extent(p[1], p[2]),
-          extent(p[0], p[3]), extent(p[1], p[3]), extent(p[2], p[3])};
+/// Of the edges between the first three points.
+std::array<Extent, 3> extents(const std::array<Point3, 4>& p) {
+  return {extent(p[0], p[1]), extent(p[0], p[2]), extent(p[1], p[2])};
 }
 
-/// Whether b is a moved or mirrored copy of a along the axes, as quantised
-/// scans have many. May miss some.
-bool are_copies(const std::array<Extent, 6>& a, const std::array<Extent, 6>& b,
-                bool circle_only) {
-  // Edges of a copy whose first three points are taken in another order.
-  static constexpr std::array<std::array<unsigned, 6>, 6> kOrders = {
-      {{0, 1, 2, 3, 4, 5},
-       {1, 0, 2, 3, 5, 4},
-       {0, 2, 1, 4, 3, 5},
-       {2, 0, 1, 4, 5, 3},
-       {1, 2, 0, 5, 3, 4},
-       {2, 1, 0, 5, 4, 3}}};
-  const unsigned n = circle_only ? 3 : 6;
-  return std::any_of(kOrders.begin(), kOrders.end(), [&](const auto& order) {
-    for (unsigned i = 0; i < n; ++i)
-      if (a[i] != b[order[i]]) return false;
-    return true;
-  });
+/// Which corner of one triangle stands for which of another.
+using CornerOrder = std::array<unsigned, 3>;
+
+/// Whether the triangle of `b`, its corners taken in that order, is a moved
+/// copy of that of `a`, perhaps mirrored along axes, as quantised scans have
+/// many. True only where no edge is rounded.
+bool are_copies(const std::array<Extent, 3>& a, const std::array<Extent, 3>& b,
+                const CornerOrder& order) {
+  const auto edge = [&](unsigned i, unsigned k) -> const Extent& {
+    return b[order[i] + order[k] - 1];
+  };
+  return a[0] == edge(0, 1) && a[1] == edge(0, 2) && a[2] == edge(1, 2);
+}
+
+/// What copies the triangle of `b` onto that of `a`, done to the last point of
+/// `b`: seen from the first corner of `a`. Where the triangles lie across an
+/// axis, it goes to the side of a's last point.
+/// @pre they are copies in that order
+Point3 copied_apex(const std::array<Point3, 4>& a,
+                   const std::array<Point3, 4>& b, const CornerOrder& order) {
+  const Point3& origin = b[order[0]];
+  Point3 apex = b[3] - origin;
+  for (unsigned i = 0; i < 3; ++i) {
+    const auto seen = [i](const Point3& p, const Point3& from) {
+      return p[i] - from[i];
+    };
+    double here = seen(a[1], a[0]), there = seen(b[order[1]], origin);
+    if (here == 0) here = seen(a[2], a[0]), there = seen(b[order[2]], origin);
+    if (here == 0) here = seen(a[3], a[0]), there = apex[i];
+    if (std::signbit(here) != std::signbit(there)) apex[i] = -apex[i];
+  }
+  return apex;
+}
+
+/// Whether that lies on the sphere of `a`: so the spheres are copies, too. True
+/// only where no edge at the first corners is rounded.
+bool are_spheres_copies(const Origin& a, const Origin& b,
+                        const CornerOrder& order) {
+  const auto& [p, q, r, s] = a.points;
+  const auto is_rounded = [](const Point3& x, const Point3& y) {
+    const Extent e = extent(x, y);
+    return e != e;
+  };
+  if (is_rounded(s, p) || is_rounded(b.points[3], b.points[order[0]]))
+    return false;
+  const Point3 u = q - p, v = r - p, w = s - p;
+  const Point3 x = copied_apex(a.points, b.points, order);
+  return predicates::insphere(Point3::Zero().eval().data(), u.data(), v.data(),
+                              w.data(), x.data()) == 0;
 }
 
 /// Whether both circles and both spheres are the same, as at the rectangles of
@@ -107,6 +137,20 @@ bool are_same(const Origin& a, const Origin& b) {
 }
 
 }  // namespace
+
+/// Whether the points show it at a glance.
+bool ExactRatio::are_equal(const Large& a, const Large& b) {
+  static constexpr std::array<CornerOrder, 6> kOrders = {
+      {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
+  if (a.origin.circle_only != b.origin.circle_only) return false;
+  if (std::any_of(kOrders.begin(), kOrders.end(), [&](const auto& order) {
+        return are_copies(a.extents, b.extents, order) &&
+               (a.origin.circle_only ||
+                are_spheres_copies(a.origin, b.origin, order));
+      }))
+    return true;
+  return are_same(a.origin, b.origin);
+}
 
 ExactRatio::ExactRatio(const Enclosure& enclosure,
                        std::function<WholeFraction()> evaluate, int exponent,
@@ -145,12 +189,7 @@ int compare(const ExactRatio& a, const ExactRatio& b) {
     if (by_enclosure != 0) return by_enclosure;
     // Most fractions that come this far are equal; to see that from the
     // points is far quicker than to compare them.
-    const Origin& x = a.large_->origin;
-    const Origin& y = b.large_->origin;
-    if (x.circle_only == y.circle_only &&
-        (are_copies(a.large_->extents, b.large_->extents, x.circle_only) ||
-         are_same(x, y)))
-      return 0;
+    if (ExactRatio::are_equal(*a.large_, *b.large_)) return 0;
   }
   const WholeFraction x = a.whole(), y = b.whole();
   BigInteger left = x.numerator * y.denominator;

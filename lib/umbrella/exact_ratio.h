@@ -52,6 +52,7 @@ class ExactRatio {
 
  private:
   struct Large;
+  static bool are_equal(const Large& a, const Large& b);
   WholeFraction whole() const;
 
   std::int64_t n_ = 0, d_ = 1;  // unless large_

@@ -37,10 +37,10 @@ class UmbrellaPicker {
         });
     if (closing == order_.end()) return {};
 
-    const std::vector<bool>& stays = graph_.peel();
+    const std::vector<std::uint8_t>& stays = graph_.peel();
     umbrella_.clear();
     for (std::size_t k = 0; k < stays.size(); ++k)
-      if (stays[k]) umbrella_.push_back(order_[k]);
+      if (stays[k] != 0) umbrella_.push_back(order_[k]);
     return umbrella_;
   }
 
@@ -60,17 +60,23 @@ class UmbrellaPicker {
   /// at once. The upper halves of primaries nearly always suffice.
   /// @return whether they do, and the triangles are few
   bool sort_few_by_primary(std::span<const TriangleIndex> at_v) {
-    constexpr std::size_t kMost = 32;
+    constexpr std::size_t kMost = 32, kAtOnce = 8;
     const std::size_t n = at_v.size();
     if (n > kMost) return false;
     std::array<std::int32_t, kMost> key;
     for (std::size_t i = 0; i < n; ++i)
       key[i] = upper_half(triangles_[at_v[i]].rank.primary);
+    // Before none: so that comparisons go in full blocks.
+    std::size_t end = n;
+    for (; end % kAtOnce != 0; ++end)
+      key[end] = std::numeric_limits<std::int32_t>::max();
     order_.resize(n);
     std::int32_t sum = 0;
     for (std::size_t i = 0; i < n; ++i) {
       std::int32_t n_before = 0;
-      for (std::size_t k = 0; k < n; ++k) n_before += key[k] < key[i] ? 1 : 0;
+      for (std::size_t first = 0; first < end; first += kAtOnce)
+        for (std::size_t k = first; k < first + kAtOnce; ++k)
+          n_before += key[k] < key[i] ? 1 : 0;
       order_[static_cast<std::size_t>(n_before)] = at_v[i];
       sum += n_before;
     }

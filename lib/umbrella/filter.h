@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,6 +18,9 @@ struct FilterResult {
   /// Vertices around which no admissible triangles close, ascending. They
   /// choose nothing.
   std::vector<VertexId> without_umbrella;
+  /// Vertices at which there are other triangles than those of one umbrella, or
+  /// none, ascending; none if nobody knows.
+  std::optional<std::vector<VertexId>> unsettled;
 };
 
 /// Takes the triangles at each vertex v in the order of ranks_before() until

@@ -5,8 +5,8 @@
 
 namespace umbrella {
 
-const std::vector<bool>& LinkGraph::peel() {
-  stays_.assign(edges_.size(), true);
+const std::vector<std::uint8_t>& LinkGraph::peel() {
+  stays_.assign(edges_.size(), 1);
   for (Place start = 0; start < nodes_.size(); ++start) {
     Place leaf = start;
     while (nodes_[leaf].degree == 1) {
@@ -18,7 +18,7 @@ const std::vector<bool>& LinkGraph::peel() {
   return stays_;
 }
 
-const std::vector<bool>& LinkGraph::drop_bridges() {
+const std::vector<std::uint8_t>& LinkGraph::drop_bridges() {
   peel();
   // With one cycle or none there is nothing left but that.
   const bool only_cycles =
@@ -33,7 +33,7 @@ const std::vector<bool>& LinkGraph::drop_bridges() {
 }
 
 void LinkGraph::take_away(EdgeIndex e) {
-  stays_[e] = false;
+  stays_[e] = 0;
   for (const Place p : edges_[e]) {
     --nodes_[p].degree;
     nodes_[p].edges ^= e;
@@ -88,7 +88,7 @@ void LinkGraph::sort_half_edges() {
   first_half_edge_.back() = sum;
   half_edges_.resize(sum);
   for (EdgeIndex e = 0; e < edges_.size(); ++e)
-    if (stays_[e])
+    if (stays_[e] != 0)
       for (const Place p : edges_[e]) half_edges_[--first_half_edge_[p]] = e;
 }
 

@@ -47,12 +47,12 @@ class LinkGraph {
   bool has_one_cycle() const { return n_closing_ == 1; }
 
   /// Takes away leaves until there is none: what stays of a graph with one
-  /// cycle is the cycle. To be called once. @return for each edge, whether it
+  /// cycle is the cycle. To be called once. @return for each edge, 1 if it
   /// stays
-  const std::vector<bool>& peel();
+  const std::vector<std::uint8_t>& peel();
 
   /// Takes away all bridges: what stays are the edges on cycles. Likewise.
-  const std::vector<bool>& drop_bridges();
+  const std::vector<std::uint8_t>& drop_bridges();
 
  private:
   using EdgeIndex = std::uint32_t;
@@ -97,7 +97,7 @@ class LinkGraph {
   std::vector<Node> nodes_;  // by place
   std::vector<Edge> edges_;
   std::size_t n_closing_ = 0;
-  std::vector<bool> stays_;
+  std::vector<std::uint8_t> stays_;
 
   // For find_bridges(): edges by places of vertices, and the search.
   struct Visit {

@@ -38,22 +38,19 @@ std::vector<Piece> PieceFinder::find(const Change& change,
 void PieceFinder::find_large_patches(const std::vector<bool>& is_open) {
   const std::size_t n = surface_.n_vertices();
   DisjointSets sets(n);
-  std::vector<std::size_t> n_triangles(n);
-  const auto for_each_settled = [&](auto visit) {
-    for (TriangleIndex t = 0; t < surface_.n_indices(); ++t) {
-      const auto& [a, b, c] = surface_.corners(t);
-      if (surface_.contains(t) && !is_open[index(a)] && !is_open[index(b)] &&
-          !is_open[index(c)])
-        visit(index(a), index(b), index(c));
-    }
-  };
-  for_each_settled([&](std::size_t a, std::size_t b, std::size_t c) {
-    sets.unite(a, b);
-    sets.unite(a, c);
-  });
-  for_each_settled([&](std::size_t a, std::size_t, std::size_t) {
-    ++n_triangles[sets.root(a)];
-  });
+  std::vector<std::uint32_t> n_triangles(n);  // at the corner, then in the set
+  for (TriangleIndex t = 0; t < surface_.n_indices(); ++t) {
+    const auto& [a, b, c] = surface_.corners(t);
+    if (!surface_.contains(t) || is_open[index(a)] || is_open[index(b)] ||
+        is_open[index(c)])
+      continue;
+    sets.unite(index(a), index(b));
+    sets.unite(index(a), index(c));
+    ++n_triangles[index(a)];
+  }
+  for (std::size_t v = 0; v < n; ++v)
+    if (const std::uint32_t root = sets.root(v); root != v)
+      n_triangles[root] += n_triangles[v];
   is_in_patch_.resize(n);
   for (std::size_t v = 0; v < n; ++v)
     is_in_patch_[v] = n_triangles[sets.root(v)] > limit_;

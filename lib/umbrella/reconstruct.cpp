@@ -31,6 +31,55 @@ std::vector<LocatedTriangle> without_ranks(
   return result;
 }
 
+/// Lower bounds of the triangles' lambda-intervals.
+///
+/// @param ranked  by ascending corners, as `triangles`; what was measured of
+///   these is not measured again
+std::vector<double> lower_lambdas(const Triangulation3& triangulation,
+                                  const Circumspheres& spheres,
+                                  std::span<const LocatedTriangle> triangles,
+                                  std::span<const RankedTriangle> ranked) {
+  std::vector<double> lambda(triangles.size());
+  std::vector<std::size_t> unknown;
+  std::vector<delaunay::Facet> facets;  // of these
+  auto next = ranked.begin();
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const auto& [corners, facet] = triangles[t];
+    while (next != ranked.end() && next->facet != facet &&
+           next->corners < corners)
+      ++next;
+    if (next != ranked.end() && next->facet == facet &&
+        next->squared_lambda >= 0) {
+      lambda[t] = std::sqrt(next->squared_lambda);
+    } else {
+      unknown.push_back(t);
+      facets.push_back(facet);
+    }
+  }
+  std::vector<FacetRadii> radii(facets.size());
+  spheres.measure(facets, radii);
+  for (std::size_t i = 0; i < facets.size(); ++i)
+    lambda[unknown[i]] =
+        std::sqrt(DelaunayTriangle(triangulation, spheres, facets[i], &radii[i])
+                      .squared_lambda_lower());
+  return lambda;
+}
+
+/// Outward, as far as there is an outside.
+std::vector<IndexedTriangle> oriented_triangles(
+    const Triangulation3& triangulation,
+    std::span<const LocatedTriangle> triangles) {
+  std::vector<Triangle> corners(triangles.size());
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    corners[t] = triangles[t].corners;
+  const auto oriented = orient(triangulation.points(), corners);
+  std::vector<IndexedTriangle> vertices(triangles.size());
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    for (std::size_t i = 0; i < 3; ++i)
+      vertices[t][i] = static_cast<std::uint32_t>(oriented.triangles[t][i]);
+  return vertices;
+}
+
 class Pipeline {
  public:
   explicit Pipeline(const ReconstructOptions& options)
@@ -52,7 +101,8 @@ class Pipeline {
   }
 
   std::vector<LocatedTriangle> triangles_of(const Triangulation3& triangulation,
-                                            const Circumspheres& spheres);
+                                            const Circumspheres& spheres,
+                                            const FilterResult& filtered);
   FilterResult filtered(const Triangulation3& triangulation,
                         const Circumspheres& spheres);
   CleanUpResult cleaned(std::size_t n_vertices, const FilterResult& filtered);
@@ -60,11 +110,9 @@ class Pipeline {
                               const Circumspheres& spheres,
                               const FilterResult& filtered);
   std::vector<Hole> holes(std::size_t n_vertices, const CleanUpResult& clean);
-  std::vector<IndexedTriangle> surface(
-      const Triangulation3& triangulation, const Circumspheres& spheres,
-      std::span<const LocatedTriangle> triangles);
   void finish(const Triangulation3& triangulation, const Circumspheres& spheres,
-              std::span<const LocatedTriangle> triangles);
+              std::span<const LocatedTriangle> triangles,
+              std::span<const RankedTriangle> ranked);
 
   void list_dropped(std::span<const std::uint32_t> row);
 
@@ -90,15 +138,17 @@ Reconstruction Pipeline::run(std::span<const Point3> points) {
   counts.delaunay_cells = triangulation.n_finite_cells();
   // Four facets a cell, each seen from two cells or from outside the hull.
   counts.delaunay_triangles = (4 * counts.delaunay_cells + n_outside) / 2;
-  if (result_.dimension == 3)
-    finish(triangulation, spheres, triangles_of(triangulation, spheres));
+  if (result_.dimension < 3) return std::move(result_);
+  const FilterResult filtered = this->filtered(triangulation, spheres);
+  finish(triangulation, spheres, triangles_of(triangulation, spheres, filtered),
+         filtered.triangles);
   return std::move(result_);
 }
 
 std::vector<LocatedTriangle> Pipeline::triangles_of(
-    const Triangulation3& triangulation, const Circumspheres& spheres) {
+    const Triangulation3& triangulation, const Circumspheres& spheres,
+    const FilterResult& filtered) {
   const std::size_t n = triangulation.points().size();
-  const FilterResult filtered = this->filtered(triangulation, spheres);
   result_.counts.filter_triangles = filtered.triangles.size();
   result_.counts.filter_without_umbrella = filtered.without_umbrella.size();
   if (options_.stage == Stage::Filter) return without_ranks(filtered.triangles);
@@ -145,7 +195,8 @@ FilterResult Pipeline::filtered(const Triangulation3& triangulation,
 CleanUpResult Pipeline::cleaned(std::size_t n_vertices,
                                 const FilterResult& filtered) {
   CleanUpResult clean = timed("clean_up", result_.seconds.clean_up, [&] {
-    return clean_up(n_vertices, filtered.triangles, options_.clean_up);
+    return clean_up(n_vertices, filtered.triangles, options_.clean_up,
+                    filtered.unsettled);
   });
   ReconstructCounts& counts = result_.counts;
   counts.deleted_type2 = clean.n_type2;
@@ -191,38 +242,13 @@ std::vector<Hole> Pipeline::holes(std::size_t n_vertices,
   return found;
 }
 
-/// The oriented triangles; fills result_.lambda.
-std::vector<IndexedTriangle> Pipeline::surface(
-    const Triangulation3& triangulation, const Circumspheres& spheres,
-    std::span<const LocatedTriangle> triangles) {
-  const std::size_t n = triangles.size();
-  std::vector<Triangle> corners(n);
-  std::vector<delaunay::Facet> facets(n);
-  for (std::size_t t = 0; t < n; ++t) {
-    corners[t] = triangles[t].corners;
-    facets[t] = triangles[t].facet;
-  }
-  std::vector<FacetRadii> radii(n);
-  spheres.measure(facets, radii);
-  result_.lambda.resize(n);
-  for (std::size_t t = 0; t < n; ++t)
-    result_.lambda[t] =
-        std::sqrt(DelaunayTriangle(triangulation, spheres, facets[t], &radii[t])
-                      .squared_lambda_lower());
-
-  const auto oriented = orient(triangulation.points(), corners);
-  std::vector<IndexedTriangle> vertices(n);
-  for (std::size_t t = 0; t < n; ++t)
-    for (std::size_t i = 0; i < 3; ++i)
-      vertices[t][i] = static_cast<std::uint32_t>(oriented.triangles[t][i]);
-  return vertices;
-}
-
 void Pipeline::finish(const Triangulation3& triangulation,
                       const Circumspheres& spheres,
-                      std::span<const LocatedTriangle> triangles) {
+                      std::span<const LocatedTriangle> triangles,
+                      std::span<const RankedTriangle> ranked) {
   result_.triangles = timed("surface", result_.seconds.surface, [&] {
-    return surface(triangulation, spheres, triangles);
+    result_.lambda = lower_lambdas(triangulation, spheres, triangles, ranked);
+    return oriented_triangles(triangulation, triangles);
   });
   result_.surface = timed("certificate", result_.seconds.certificate, [&] {
     return check_surface(triangulation.points(), result_.triangles);

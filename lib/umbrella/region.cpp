@@ -27,6 +27,17 @@ std::vector<VertexId> united(std::span<const VertexId> a,
   return result;
 }
 
+std::vector<VertexId> vertices_of(const Region& region,
+                                  std::span<const LocatedTriangle> candidates) {
+  std::vector<VertexId> result = region.vertices;
+  if (region.stuck.empty()) return result;
+  for (const LocatedTriangle& c : candidates)
+    result.insert(result.end(), c.corners.begin(), c.corners.end());
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
+
 std::vector<Region> merge_holes(std::span<const Hole> holes,
                                 const WorkingSurface& surface) {
   constexpr auto kNone = std::numeric_limits<std::size_t>::max();
@@ -67,50 +78,48 @@ std::vector<Region> merge_holes(std::span<const Hole> holes,
 CellSet::CellSet(const delaunay::Triangulation3& triangulation)
     : triangulation_(triangulation),
       cell_of_vertex_(triangulation.points().size()),
-      marks_(triangulation.n_finite_cells()) {
+      place_(triangulation.n_finite_cells()),
+      is_wanted_(triangulation.points().size()) {
   for (std::size_t c = 0; c < triangulation.n_finite_cells(); ++c)
     for (const VertexId v : triangulation.cells()[c].vertex)
       cell_of_vertex_[index(v)] = CellId{static_cast<std::uint32_t>(c)};
 }
 
 std::uint32_t CellSet::position(CellId c) const {
-  if (index(c) >= marks_.size())
+  if (index(c) >= place_.size())
     return static_cast<std::uint32_t>(cells_.size());
-  const Marks& marks = marks_[index(c)];
-  return marks.call == n_calls_ ? marks.position
-                                : std::numeric_limits<std::uint32_t>::max();
+  return is_there(c) ? place_[index(c)]
+                     : std::numeric_limits<std::uint32_t>::max();
 }
 
+/// The finite cells at a vertex hang together by facets there, so it is enough
+/// to go on from one of them.
 void CellSet::collect(std::span<const VertexId> vertices) {
-  ++n_calls_;
   cells_.clear();
-  for (const VertexId v : vertices) collect_star(v);
+  for (const VertexId v : vertices) is_wanted_[index(v)] = 1;
+  std::size_t next = 0;
+  for (const VertexId v : vertices) {
+    enter(cell_of_vertex_[index(v)]);
+    while (next < cells_.size())
+      enter_neighbors(triangulation_.cell(cells_[next++]));
+  }
+  for (const VertexId v : vertices) is_wanted_[index(v)] = 0;
 }
 
-/// Adds the cells at v that are not yet there. The finite cells at v hang
-/// together by facets at v, but a neighbour may be there already as a cell of
-/// another vertex: so each star is walked with marks of its own.
-void CellSet::collect_star(VertexId v) {
-  ++n_stars_;
-  const auto enter = [this](CellId c) {
-    Marks& marks = marks_[index(c)];
-    if (marks.star == n_stars_) return;
-    marks.star = n_stars_;
-    stack_.push_back(c);
-    if (marks.call == n_calls_) return;
-    marks.call = n_calls_;
-    marks.position = static_cast<std::uint32_t>(cells_.size());
-    cells_.push_back(c);
-  };
-  enter(cell_of_vertex_[index(v)]);
-  while (!stack_.empty()) {
-    const Cell& cell = triangulation_.cell(stack_.back());
-    stack_.pop_back();
-    for (unsigned i = 0; i < 4; ++i) {
-      const CellId beyond = cell.neighbor[i].cell();
-      if (cell.vertex[i] != v && index(beyond) < marks_.size()) enter(beyond);
-    }
-  }
+void CellSet::enter(CellId c) {
+  if (index(c) >= place_.size() || is_there(c)) return;
+  __builtin_prefetch(&triangulation_.cell(c));
+  place_[index(c)] = static_cast<std::uint32_t>(cells_.size());
+  cells_.push_back(c);
+}
+
+/// Those across a facet with a wanted corner.
+void CellSet::enter_neighbors(const Cell& cell) {
+  unsigned n_wanted = 0;
+  for (const VertexId v : cell.vertex) n_wanted += is_wanted_[index(v)];
+  for (unsigned i = 0; i < 4; ++i)
+    if (n_wanted > is_wanted_[index(cell.vertex[i])])
+      enter(cell.neighbor[i].cell());
 }
 
 Neighborhoods::Neighborhoods(const delaunay::Triangulation3& triangulation)

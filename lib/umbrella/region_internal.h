@@ -27,11 +27,16 @@ struct Region {
 std::vector<Region> merge_holes(std::span<const Hole> holes,
                                 const WorkingSurface& surface);
 
+/// The vertices of a region and of its candidates; ascending.
+std::vector<VertexId> vertices_of(const Region& region,
+                                  std::span<const LocatedTriangle> candidates);
+
 /// a with b; ascending both.
 std::vector<VertexId> united(std::span<const VertexId> a,
                              std::span<const VertexId> b);
 
-/// Cells at some vertices, all within the hull.
+/// Cells at some vertices, all within the hull, and in an order that depends on
+/// how the triangulation numbers them.
 class CellSet {
  public:
   explicit CellSet(const delaunay::Triangulation3& triangulation);
@@ -52,21 +57,19 @@ class CellSet {
   }
 
  private:
-  void collect_star(VertexId v);
+  bool is_there(delaunay::CellId c) const {
+    const std::uint32_t place = place_[index(c)];
+    return place < cells_.size() && cells_[place] == c;
+  }
+  void enter(delaunay::CellId c);
+  void enter_neighbors(const delaunay::Cell& cell);
 
   const delaunay::Triangulation3& triangulation_;
   std::vector<delaunay::CellId> cell_of_vertex_;
-  /// Of a cell; side by side, for they are looked up together.
-  struct Marks {
-    std::uint32_t call = 0;      // the last that met it
-    std::uint32_t star = 0;      // the last that met it
-    std::uint32_t position = 0;  // in `cells_`, if met in this call
-  };
-  std::vector<Marks> marks_;  // of the cells within the hull
-  std::uint32_t n_calls_ = 0;
-  std::uint32_t n_stars_ = 0;
   std::vector<delaunay::CellId> cells_;
-  std::vector<delaunay::CellId> stack_;
+  /// Of a cell within the hull: where it is in `cells_`, if it is there.
+  std::vector<std::uint32_t> place_;
+  std::vector<std::uint8_t> is_wanted_;  // by vertex, zero between calls
 };
 
 /// Walks about the vertices of a triangulation.

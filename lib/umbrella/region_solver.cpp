@@ -71,7 +71,8 @@ RegionSolver::RegionSolver(const delaunay::Triangulation3& triangulation,
 Attempt RegionSolver::attempt(const Region& region, Effort& effort,
                               const AttemptOptions& how) {
   std::vector<LocatedTriangle> candidates = neighborhoods_.candidates(region);
-  ClosingProgram program(surface_, candidates, region.vertices, how.may_drop);
+  ClosingProgram program(surface_, candidates, vertices_of(region, candidates),
+                         how.may_drop);
   Work work(std::move(candidates), std::move(program));
   work.allowed = how.allowed;
   if (options_.on_program) work.solver.keep_cycles();
@@ -127,12 +128,7 @@ bool RegionSolver::closes_small_piece(const Attempt& solved) {
 }
 
 std::vector<VertexId> RegionSolver::vertices(const Region& region) {
-  std::vector<VertexId> result = region.vertices;
-  for (const auto& c : neighborhoods_.candidates(region))
-    result.insert(result.end(), c.corners.begin(), c.corners.end());
-  std::sort(result.begin(), result.end());
-  result.erase(std::unique(result.begin(), result.end()), result.end());
-  return result;
+  return vertices_of(region, neighborhoods_.candidates(region));
 }
 
 /// Starts anew, with a solver that knows inside from outside.

@@ -41,6 +41,9 @@ struct RankedTriangle {
   Triangle corners;
   delaunay::Facet facet;  ///< as in LocatedTriangle
   Rank rank;
+  /// Square of the lower bound of the lambda-interval; negative if nobody has
+  /// measured it.
+  double squared_lambda = -1;
 };
 
 /// The total order of triangles: rank, then corners. As VertexIds depend on

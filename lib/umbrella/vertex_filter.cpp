@@ -7,6 +7,7 @@ namespace umbrella {
 
 void Choices::append(const Choices& next) {
   for (std::size_t i = 0; i < words_.size(); ++i) words_[i] |= next.words_[i];
+  size_.insert(size_.end(), next.size_.begin(), next.size_.end());
   without_umbrella_.insert(without_umbrella_.end(),
                            next.without_umbrella_.begin(),
                            next.without_umbrella_.end());
@@ -19,8 +20,17 @@ FilterResult Choices::among(std::span<const RankedTriangle> triangles) && {
   for (const std::uint64_t word : words_)
     n += static_cast<std::size_t>(std::popcount(word));
   result.triangles.reserve(n);
-  for (TriangleIndex t = 0; t < triangles.size(); ++t)
-    if (holds(t)) result.triangles.push_back(triangles[t]);
+  std::vector<std::uint32_t> degree(size_.size());
+  for (TriangleIndex t = 0; t < triangles.size(); ++t) {
+    if (!holds(t)) continue;
+    result.triangles.push_back(triangles[t]);
+    for (const VertexId v : triangles[t].corners) ++degree[index(v)];
+  }
+  // An umbrella's triangles are all here: as many are no others.
+  std::vector<VertexId>& unsettled = result.unsettled.emplace();
+  for (std::uint32_t v = 0; v < size_.size(); ++v)
+    if (size_[v] == 0 || degree[v] != size_[v])
+      unsettled.push_back(VertexId{v});
   return result;
 }
 

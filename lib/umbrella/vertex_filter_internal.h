@@ -18,13 +18,20 @@ namespace umbrella {
 /// What a range of vertices chooses.
 class Choices {
  public:
-  explicit Choices(std::size_t n_triangles = 0)
-      : words_((n_triangles + kWordBits - 1) / kWordBits) {}
-
-  void add(TriangleIndex t) {
-    words_[t / kWordBits] |= std::uint64_t{1} << t % kWordBits;
+  Choices() = default;
+  Choices(std::size_t n_triangles, std::size_t n_vertices)
+      : words_((n_triangles + kWordBits - 1) / kWordBits) {
+    size_.reserve(n_vertices);
   }
-  void add_without_umbrella(VertexId v) { without_umbrella_.push_back(v); }
+
+  /// @param umbrella  of the next vertex; empty if there is none
+  template <class Umbrella>
+  void add(VertexId v, const Umbrella& umbrella) {
+    size_.push_back(static_cast<std::uint32_t>(umbrella.size()));
+    if (umbrella.empty()) without_umbrella_.push_back(v);
+    for (const TriangleIndex t : umbrella)
+      words_[t / kWordBits] |= std::uint64_t{1} << t % kWordBits;
+  }
   /// What the range after this one chooses.
   void append(const Choices& next);
   /// @param triangles  those that the positions mean
@@ -38,11 +45,12 @@ class Choices {
   }
 
   std::vector<std::uint64_t> words_;
+  std::vector<std::uint32_t> size_;  // of the umbrella of a vertex
   std::vector<VertexId> without_umbrella_;
 };
 
-/// The union of what each vertex v chooses: picker.pick(v, triangles at v), a
-/// range of TriangleIndex, empty if there is no umbrella.
+/// The union of what each vertex v chooses: picker.pick(v, triangles at v), the
+/// umbrella as a range of TriangleIndex, empty if there is none.
 ///
 /// @param make_picker  called once by each thread
 template <class MakePicker>
@@ -54,12 +62,10 @@ FilterResult filter_by_vertex(std::size_t n_vertices,
       [&](TriangleIndex t) -> const Triangle& { return triangles[t].corners; });
   const auto choose = [&](IndexRange vertices) {
     auto picker = make_picker();
-    Choices choices(triangles.size());
+    Choices choices(triangles.size(), vertices.size());
     for (std::size_t i = vertices.begin; i < vertices.end; ++i) {
       const VertexId v{static_cast<std::uint32_t>(i)};
-      const auto& umbrella = picker.pick(v, incidence.at(v));
-      if (umbrella.empty()) choices.add_without_umbrella(v);
-      for (const TriangleIndex t : umbrella) choices.add(t);
+      choices.add(v, picker.pick(v, incidence.at(v)));
     }
     return choices;
   };

@@ -18,9 +18,11 @@ namespace umbrella {
 /// index, and a removed one leaves it unused.
 class WorkingSurface {
  public:
+  /// @param triangles  by ascending corners
   WorkingSurface(std::size_t n_vertices,
                  std::span<const RankedTriangle> triangles)
       : head_(n_vertices, kEnd) {
+    n_given_ = triangles.size();
     triangles_.reserve(triangles.size());
     is_there_.reserve(triangles.size());
     next_.reserve(3 * triangles.size());
@@ -63,15 +65,20 @@ class WorkingSurface {
     const auto before = [](const LocatedTriangle& a, const LocatedTriangle& b) {
       return a.corners < b.corners;
     };
+    std::vector<LocatedTriangle> added;
+    for (std::size_t t = n_given_; t < triangles_.size(); ++t)
+      if (is_there_[t]) added.push_back(triangles_[t]);
+    std::sort(added.begin(), added.end(), before);
     std::vector<LocatedTriangle> result;
     result.reserve(triangles_.size());
-    for (TriangleIndex t = 0; t < triangles_.size(); ++t)
-      if (is_there_[t]) result.push_back(triangles_[t]);
-    // Most stood there from the start, in order.
-    const auto late =
-        std::is_sorted_until(result.begin(), result.end(), before);
-    std::sort(late, result.end(), before);
-    std::inplace_merge(result.begin(), late, result.end(), before);
+    auto next = added.cbegin();
+    for (std::size_t t = 0; t < n_given_; ++t) {
+      if (!is_there_[t]) continue;
+      while (next != added.end() && before(*next, triangles_[t]))
+        result.push_back(*next++);
+      result.push_back(triangles_[t]);
+    }
+    result.insert(result.end(), next, added.cend());
     return result;
   }
 
@@ -79,6 +86,7 @@ class WorkingSurface {
   static constexpr std::uint32_t kEnd =
       std::numeric_limits<std::uint32_t>::max();
 
+  std::size_t n_given_ = 0;
   std::vector<LocatedTriangle> triangles_;
   std::vector<bool> is_there_;
   std::vector<std::uint32_t> head_;  // 3 t + i: corner i of triangle t
