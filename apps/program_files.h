@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 
 #include "apps/report.h"
@@ -24,6 +25,10 @@ struct ProgramPrefixes {
 
 /// @throws io::WriteError  a first file cannot be written
 void require_writable(const ProgramPrefixes& prefixes);
+
+/// @throws std::invalid_argument  a program may be written to one of the files
+void require_apart(const ProgramPrefixes& prefixes,
+                   std::span<const std::string> files);
 
 class ProgramFiles {
  public:

@@ -3,24 +3,9 @@
 #include <CLI/CLI.hpp>
 #include <map>
 
+#include "apps/option_checks.h"
+
 namespace command {
-namespace {
-
-// Empty if the text names a file.
-std::string path_problem(const std::string& text) {
-  return text.empty() ? "the name of a file is empty" : "";
-}
-
-// Empty if the text is a time. (CLI::Range lets NaN through.)
-std::string seconds_problem(const std::string& text) {
-  double value = 0;
-  const bool is_time =
-      CLI::detail::lexical_cast(text, value) && value >= 0 && value <= 1e9;
-  return is_time ? "" : "Value " + text + " not in range 0 to 1e9";
-}
-
-}  // namespace
-
 void add_output_options(CLI::App& sub, ReconstructOptions& options) {
   sub.add_option(
          "-o,--output", options.out,

@@ -5,12 +5,10 @@
 #include <array>
 #include <cstdint>
 #include <cstdio>
-#include <filesystem>
 #include <iostream>
-#include <stdexcept>
 #include <string>
-#include <system_error>
 
+#include "apps/paths.h"
 #include "apps/program_files.h"
 #include "apps/report.h"
 #include "apps/terminal.h"
@@ -39,35 +37,17 @@ report::Json complete(const Request& request, const Outcome& outcome,
   return json;
 }
 
-// Where a path leads; two paths that lead to one place are the same file.
-std::filesystem::path place(const std::string& path) {
-  std::error_code error;  // then the path itself has to do
-  const auto full = std::filesystem::absolute(path, error);
-  const auto canonical = std::filesystem::weakly_canonical(full, error);
-  return error ? full : canonical;
-}
-
-void require_no_input(const ReconstructOptions& options,
-                      const std::string& output) {
-  if (output == "-") return;
-  for (const std::string& file : options.request.files)
-    if (file != "-" && place(file) == place(output))
-      throw std::invalid_argument(output + ": would overwrite the input");
-}
-
 }  // namespace
 
 void require_outputs(const ReconstructOptions& options) {
-  for (const std::string& path : {options.out, options.report})
-    if (!path.empty()) {
-      require_no_input(options, path);
-      io::require_writable(path);
-    }
+  const std::array outputs = {options.out, options.report};
+  require_no_input(options.request.files, outputs);
+  for (const std::string& path : outputs)
+    if (!path.empty()) io::require_writable(path);
+  require_different(outputs);
+  require_apart(options.request.programs, outputs);
+  require_apart(options.request.programs, options.request.files);
   require_writable(options.request.programs);
-  if (options.out.empty() || options.report.empty()) return;
-  if (place(options.out) == place(options.report))
-    throw std::invalid_argument("-o and --report cannot both be " +
-                                options.out);
 }
 
 void write_report(const ReconstructOptions& options, const Outcome& outcome,

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstdlib>
 #include <fstream>
@@ -13,6 +14,8 @@
 #include <vector>
 
 #include "apps/command.h"
+#include "apps/option_checks.h"
+#include "apps/paths.h"
 #include "ilp/formats.h"
 #include "ilp/linear_form.h"
 #include "ilp/minimize.h"
@@ -158,7 +161,16 @@ ExitCode check(const Options& options, const ilp::Program& program) {
   return ExitCode::Done;
 }
 
+void require_outputs(const Options& options) {
+  const std::array inputs = {options.in, options.check_proof};
+  const std::array outputs = {options.proof, options.opb, options.lp,
+                              options.mps};
+  require_no_input(inputs, outputs);
+  require_different(outputs);
+}
+
 ExitCode run(const Options& options) {
+  require_outputs(options);
   const std::string name = options.in == "-" ? "<stdin>" : options.in;
   const ilp::Program program = ilp::read_opb(io::read_file(options.in), name);
   std::cout << "c " << program.problem.n_variables() << " variables, "
@@ -190,21 +202,26 @@ void add_solve(CLI::App& app, ExitCode& exit_code) {
       ->type_name("FILE");
   const auto file = [sub](const char* name, std::string& path,
                           const char* what) {
-    return sub->add_option(name, path, what)->type_name("FILE");
+    return sub->add_option(name, path, what)
+        ->check(file_problem)
+        ->type_name("FILE");
   };
   file("--proof", options->proof, "Log what the search derives");
-  file("--check-proof", options->check_proof,
-       "Check such a log instead of searching")
-      ->excludes("--proof");
+  sub->add_option("--check-proof", options->check_proof,
+                  "Check such a log instead of searching, - for standard input")
+      ->check(path_problem)
+      ->excludes("--proof")
+      ->type_name("FILE");
   file("--write-opb", options->opb, "Write the program as OPB");
   file("--write-lp", options->lp, "Write the program as CPLEX LP");
   file("--write-mps", options->mps, "Write the program as free MPS");
   sub->add_option("--time-limit", options->limits.seconds,
                   "Seconds of search [none]")
-      ->check(CLI::NonNegativeNumber)
+      ->check(seconds_problem)
       ->type_name("S");
   sub->add_option("--conflicts", options->limits.conflicts,
                   "Conflicts of the search [no limit]")
+      ->check(count_problem)
       ->type_name("N");
   sub->callback([options, &exit_code] { exit_code = run(*options); });
 }

@@ -83,9 +83,9 @@ TEST_F(Command, RefusesBadUsageInOneLine) {
   expect_error("reconstruct p.xyz --report ''", "the name of a file is empty");
   expect_error("reconstruct p.xyz -o ./p.xyz", "would overwrite the input");
   expect_error("reconstruct p.xyz --report p.xyz", "would overwrite the input");
-  expect_error("reconstruct p.xyz -o - --report -", "cannot both be -");
+  expect_error("reconstruct p.xyz -o - --report -", "-: named as two outputs");
   expect_error("reconstruct p.xyz -o m.ply --report ./m.ply",
-               "cannot both be m.ply");
+               "m.ply: named as two outputs");
   expect_error("generate", "is required");
   expect_error("generate klein-bottle -n 3", "klein-bottle");
   expect_error("generate knot -n 0", "--count");
@@ -309,6 +309,10 @@ TEST_F(Command, WritesEachProgramOfTheClosing) {
   folder_.file("p.xy", "0 0\n1 0\n0 1\n1 1\n");
   expect_error("reconstruct p.xy --write-lp p", "are for points in space");
   expect_error("reconstruct s.ply --write-lp no/p", "no/p-1.lp: cannot write");
+  std::filesystem::copy(folder_.path("s.ply"), folder_.path("q-2.lp"));
+  expect_error("reconstruct q-2.lp --write-lp q", "would overwrite q-2.lp");
+  expect_error("reconstruct s.ply --report q-17.opb --write-opb ./q",
+               "would overwrite q-17.opb");
   expect_error("reconstruct s.ply --write-mps ''", "name of a file is empty");
 }
 

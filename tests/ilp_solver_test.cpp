@@ -73,15 +73,6 @@ void expect_agrees_with_enumeration(const Problem& problem,
   }
 }
 
-void add_rows(Problem& problem, const ilp::LinearForm& form) {
-  for (const ilp::LinearRow& row : form.rows) {
-    std::vector<Term> opposite = row.terms;
-    for (Term& t : opposite) t.coefficient = -t.coefficient;
-    problem.add_linear(opposite, -row.bound);
-    if (row.is_equation) problem.add_linear(row.terms, row.bound);
-  }
-}
-
 class SolverOnRandomPrograms
     : public testing::TestWithParam<std::pair<const char*, Generator>> {};
 
@@ -225,7 +216,7 @@ TEST(Solver, NamesTheCyclesThatItNeeded) {
     if (status != Status::Infeasible) continue;
     Problem form;
     form.add_variables(problem.n_variables());
-    add_rows(form, linear_form(problem, solver.cycles()));
+    support::add_rows(form, linear_form(problem, solver.cycles()));
     EXPECT_FALSE(has_model(form));
   }
   EXPECT_GT(n_cycles, 50U);

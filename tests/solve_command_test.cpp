@@ -97,7 +97,23 @@ TEST_F(SolveCommand, RefusesBadInputInOneLine) {
   EXPECT_EQ(run("missing.opb").status, 2);
   folder_.file("q.opb", kKnapsack);
   EXPECT_EQ(run("q.opb --proof missing/p.log").status, 2);
-  EXPECT_EQ(run("q.opb --proof a --check-proof b").status, 2);
+  for (const std::string wrong_options :
+       {"--proof a --check-proof b", "--proof -", "--write-lp -",
+        "--write-mps ''", "--time-limit nan", "--time-limit -1",
+        "--conflicts -1"})
+    EXPECT_EQ(run("q.opb " + wrong_options).status, 2) << wrong_options;
+}
+
+TEST_F(SolveCommand, OverwritesNothingThatItReads) {
+  folder_.file("p.opb", kKnapsack);
+  folder_.file("p.log", "");
+  for (const std::string arguments :
+       {"p.opb --proof p.opb", "p.opb --write-opb ./p.opb",
+        "p.opb --check-proof p.log --write-lp p.log",
+        "p.opb --proof q --write-mps q"})
+    EXPECT_EQ(run(arguments).status, 2) << arguments;
+  EXPECT_EQ(folder_.content("p.opb"), kKnapsack);
+  EXPECT_EQ(folder_.content("p.log"), "");
 }
 
 }  // namespace

@@ -28,6 +28,7 @@ bool Clauses::add(std::span<Literal> literals, Antecedent origin,
 
 bool Clauses::propagate(Literal l, Assignment& assignment, Conflict& conflict) {
   std::vector<Watch>& list = store_.watches(!l);
+  if (list.empty()) return true;
   auto kept = list.begin();
   auto watch = list.begin();
   Visit visited = Visit::Kept;

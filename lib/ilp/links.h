@@ -18,12 +18,25 @@ struct LinkedSpoke {
   std::uint32_t pair_b;
 };
 
+/// What is known of a set of variables by adding them up.
+struct VarSum {
+  std::uint32_t n = 0;
+  std::uint32_t bits = 0;  ///< the XOR of their numbers
+  void add(VarId v) {
+    ++n;
+    bits ^= static_cast<std::uint32_t>(v);
+  }
+  friend bool operator==(VarSum, VarSum) = default;
+};
+
 struct Links {
   /// The problem's pairs, then those that a ring implies at a node whose
   /// variables no pair of the problem lists.
   Rows<VarId> pairs;
   /// What the problem calls the pair: itself, or the ring that implies it.
   std::vector<ConstraintId> pair_origin;
+  std::vector<VarSum> sums;      ///< of each pair
+  Rows<std::uint32_t> pairs_of;  ///< by variable, ascending
   Rows<LinkedSpoke> rings;
 };
 

@@ -14,43 +14,20 @@ namespace {
 
 Reason pair_reason(std::uint32_t p) { return {Reason::Kind::Pair, p, {}}; }
 
-template <class Entry>
-struct Occurrence {
-  VarId var;
-  Entry entry;
-};
-
-template <class Entry>
-Rows<Entry> by_variable(std::size_t n_variables,
-                        const std::vector<Occurrence<Entry>>& all) {
-  return Rows<Entry>::grouped(
-      n_variables, all.size(),
-      [&all](std::size_t i) { return index(all[i].var); },
-      [&all](std::size_t i) { return all[i].entry; });
-}
-
 }  // namespace
 
 PairsAndRings::PairsAndRings(const Problem& problem)
     : links_(link(problem)),
       pairs_(links_.pairs.size()),
+      rings_of_(Rows<Membership>::inverted(
+          problem.n_variables(), links_.rings,
+          [](const LinkedSpoke& s) { return index(s.var); },
+          [](std::uint32_t r, const LinkedSpoke& s) {
+            return Membership{r, s.pair_a, s.pair_b};
+          })),
       is_on_cycle_(problem.n_variables(), 0) {
-  std::vector<Occurrence<std::uint32_t>> pairs;
-  pairs.reserve(links_.pairs.n_items());
-  for (std::uint32_t p = 0; p < links_.pairs.size(); ++p)
-    for (const VarId v : links_.pairs[p]) {
-      pairs.push_back({v, p});
-      ++pairs_[p].n_open;
-      pairs_[p].open_xor ^= static_cast<std::uint32_t>(v);
-    }
-  pairs_of_ = by_variable(problem.n_variables(), pairs);
-
-  std::vector<Occurrence<Membership>> rings;
-  rings.reserve(links_.rings.n_items());
-  for (std::uint32_t r = 0; r < links_.rings.size(); ++r)
-    for (const LinkedSpoke& s : links_.rings[r])
-      rings.push_back({s.var, {r, s.pair_a, s.pair_b}});
-  rings_of_ = by_variable(problem.n_variables(), rings);
+  for (std::size_t p = 0; p < pairs_.size(); ++p)
+    pairs_[p] = {.n_open = links_.sums[p].n, .open_xor = links_.sums[p].bits};
 }
 
 bool PairsAndRings::start(Assignment& assignment, Conflict& conflict) {
@@ -63,14 +40,15 @@ bool PairsAndRings::start(Assignment& assignment, Conflict& conflict) {
 bool PairsAndRings::propagate(Literal l, Assignment& assignment,
                               Conflict& conflict) {
   if (count(l))
-    for (const std::uint32_t p : pairs_of_[index(l.var())])
+    for (const std::uint32_t p : links_.pairs_of[index(l.var())])
       if (!propagate_pair(p, assignment, conflict)) return false;
   if (!l.value()) return true;
-  for (const Membership& m : rings_of_[index(l.var())])
-    if (closes_cycle(l.var(), m) &&
-        !clear_ring({Reason::Kind::Ring, m.ring, l.var()}, assignment,
-                    conflict))
+  for (const Membership& m : rings_of_[index(l.var())]) {
+    const std::size_t length = cycle_length(l.var(), m);
+    if (length > 0 && !clear_ring({Reason::Kind::Ring, m.ring, l.var()}, length,
+                                  assignment, conflict))
       return false;
+  }
   return true;
 }
 
@@ -78,7 +56,7 @@ bool PairsAndRings::propagate(Literal l, Assignment& assignment,
 bool PairsAndRings::count(Literal l) {
   const auto id = static_cast<std::uint32_t>(l.var());
   bool may_force = false;
-  for (const std::uint32_t p : pairs_of_[id]) {
+  for (const std::uint32_t p : links_.pairs_of[id]) {
     PairCount& c = pairs_[p];
     --c.n_open;
     c.open_xor ^= id;
@@ -93,7 +71,7 @@ bool PairsAndRings::count(Literal l) {
 
 void PairsAndRings::undo(Literal l) {
   const auto id = static_cast<std::uint32_t>(l.var());
-  for (const std::uint32_t p : pairs_of_[id]) {
+  for (const std::uint32_t p : links_.pairs_of[id]) {
     PairCount& c = pairs_[p];
     ++c.n_open;
     c.open_xor ^= id;
@@ -140,8 +118,9 @@ bool PairsAndRings::clear_pair(std::uint32_t p, Assignment& assignment,
 
 const PairsAndRings::Membership& PairsAndRings::membership(
     VarId var, std::uint32_t ring) const {
-  return *std::ranges::lower_bound(rings_of_[index(var)], ring, {},
-                                   &Membership::ring);
+  const Membership* m = rings_of_[index(var)].data();
+  while (m->ring != ring) ++m;
+  return *m;
 }
 
 // The true spoke that follows `var` across `pair` on a ring; moves `pair` to
@@ -154,15 +133,17 @@ VarId PairsAndRings::next_on_ring(std::uint32_t ring, VarId var,
   return next;
 }
 
-bool PairsAndRings::closes_cycle(VarId var, const Membership& m) const {
-  if (pairs_[m.pair_a].n_true != 2) return false;
+std::size_t PairsAndRings::cycle_length(VarId var, const Membership& m) const {
+  if (pairs_[m.pair_a].n_true != 2) return 0;
+  std::size_t length = 0;
   std::uint32_t pair = m.pair_b;
   VarId v = var;
   do {
-    if (pairs_[pair].n_true != 2) return false;
+    if (pairs_[pair].n_true != 2) return 0;
     v = next_on_ring(m.ring, v, pair);
+    ++length;
   } while (v != var);
-  return true;
+  return length;
 }
 
 void PairsAndRings::append_cycle(const Reason& reason,
@@ -176,26 +157,35 @@ void PairsAndRings::append_cycle(const Reason& reason,
 }
 
 // A cycle is closed: all other spokes are false.
-bool PairsAndRings::clear_ring(const Reason& reason, Assignment& assignment,
-                               Conflict& conflict) {
+bool PairsAndRings::clear_ring(const Reason& reason, std::size_t length,
+                               Assignment& assignment, Conflict& conflict) {
   const std::span<const LinkedSpoke> spokes = links_.rings[reason.index];
-  cycle_.clear();
-  append_cycle(reason, cycle_);
-  for (const Literal l : cycle_) is_on_cycle_[index(l.var())] = 1;
-  const auto second = std::ranges::find_if(spokes, [&](const LinkedSpoke& s) {
-    return assignment.is_true(s.var) && !is_on_cycle_[index(s.var)];
-  });
-  for (const Literal l : cycle_) is_on_cycle_[index(l.var())] = 0;
-
-  if (second != spokes.end()) {
-    conflict = {reason, cycle_};
-    conflict.literals.emplace_back(second->var, true);
+  std::size_t n_true = 0;
+  for (const LinkedSpoke& s : spokes)
+    n_true += assignment.is_true(s.var) ? 1 : 0;
+  if (n_true > length) {
+    conflict = {reason, {}};
+    append_cycle(reason, conflict.literals);
+    conflict.literals.emplace_back(
+        spoke_off(conflict.literals, spokes, assignment), true);
     return false;
   }
   for (const LinkedSpoke& s : spokes)
     if (assignment.is_open(s.var))
       assignment.assign(Literal(s.var, false), reason);
   return true;
+}
+
+// The first true spoke that is not on the cycle.
+VarId PairsAndRings::spoke_off(std::span<const Literal> cycle,
+                               std::span<const LinkedSpoke> spokes,
+                               const Assignment& assignment) {
+  for (const Literal l : cycle) is_on_cycle_[index(l.var())] = 1;
+  const auto found = std::ranges::find_if(spokes, [&](const LinkedSpoke& s) {
+    return assignment.is_true(s.var) && is_on_cycle_[index(s.var)] == 0;
+  });
+  for (const Literal l : cycle) is_on_cycle_[index(l.var())] = 0;
+  return found->var;
 }
 
 void PairsAndRings::explain(Literal l, const Assignment& assignment,

@@ -51,9 +51,13 @@ class PairsAndRings {
                       Conflict& conflict) const;
   bool clear_pair(std::uint32_t p, Assignment& assignment,
                   Conflict& conflict) const;
-  bool closes_cycle(VarId var, const Membership& m) const;
-  bool clear_ring(const Reason& reason, Assignment& assignment,
-                  Conflict& conflict);
+  /// Of the true spokes that close a cycle through `var`; 0: there is none.
+  std::size_t cycle_length(VarId var, const Membership& m) const;
+  bool clear_ring(const Reason& reason, std::size_t length,
+                  Assignment& assignment, Conflict& conflict);
+  VarId spoke_off(std::span<const Literal> cycle,
+                  std::span<const LinkedSpoke> spokes,
+                  const Assignment& assignment);
   void explain_pair(Literal l, const Assignment& assignment,
                     std::vector<Literal>& out) const;
   const Membership& membership(VarId var, std::uint32_t ring) const;
@@ -62,9 +66,7 @@ class PairsAndRings {
 
   Links links_;
   std::vector<PairCount> pairs_;
-  Rows<std::uint32_t> pairs_of_;
   Rows<Membership> rings_of_;
-  std::vector<Literal> cycle_;             // scratch
   std::vector<std::uint8_t> is_on_cycle_;  // scratch, by variable; 0 at rest
 };
 

@@ -72,7 +72,9 @@ class Problem {
   std::size_t n_clauses() const { return clauses_.size(); }
   std::size_t n_linear() const { return linear_.size(); }
   std::span<const VarId> pair(std::size_t i) const { return pairs_[i]; }
+  const Rows<VarId>& pairs() const { return pairs_; }
   std::span<const Spoke> ring(std::size_t i) const { return rings_[i]; }
+  const Rows<Spoke>& rings() const { return rings_; }
   bool is_optional(std::size_t ring) const { return is_optional_[ring]; }
   std::span<const Wall> sides(std::size_t i) const { return sides_[i]; }
   std::span<const Literal> clause(std::size_t i) const { return clauses_[i]; }

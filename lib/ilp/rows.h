@@ -20,6 +20,13 @@ class Rows {
   std::span<const T> operator[](std::size_t row) const {
     return {items_.data() + begin_[row], items_.data() + begin_[row + 1]};
   }
+  /// Of all rows, one after the other.
+  std::span<const T> items() const { return items_; }
+
+  void reserve(std::size_t n_rows, std::size_t n_items) {
+    begin_.reserve(n_rows + 1);
+    items_.reserve(n_items);
+  }
 
   /// @throws std::length_error  there would be 2^32 items
   void add(std::span<const T> row) {
@@ -36,23 +43,40 @@ class Rows {
   static Rows grouped(std::size_t n_rows, std::size_t n_entries, KeyOf key_of,
                       ItemOf item_of) {
     Rows rows;
-    rows.group(n_rows, n_entries, key_of, item_of);
+    rows.begin_.assign(n_rows + 1, 0);
+    for (std::size_t i = 0; i < n_entries; ++i) ++rows.begin_[key_of(i)];
+    rows.add_up();
+    for (std::size_t i = n_entries; i-- > 0;)
+      rows.items_[--rows.begin_[key_of(i)]] = item_of(i);
     return rows;
   }
-  /// The same, in place of the rows before.
-  template <class KeyOf, class ItemOf>
-  void group(std::size_t n_rows, std::size_t n_entries, KeyOf key_of,
-             ItemOf item_of) {
-    begin_.assign(n_rows + 1, 0);
-    for (std::size_t i = 0; i < n_entries; ++i) ++begin_[key_of(i)];
-    std::uint32_t end = 0;
-    for (std::uint32_t& begin : begin_) begin = end += begin;
-    items_.resize(n_entries);
-    for (std::size_t i = n_entries; i-- > 0;)
-      items_[--begin_[key_of(i)]] = item_of(i);
+
+  /// Rows 0 .. n_rows-1: for each item of the other rows, item_of(row, item)
+  /// in row key_of(item), in the order of the items.
+  template <class U, class KeyOf, class ItemOf>
+  static Rows inverted(std::size_t n_rows, const Rows<U>& other, KeyOf key_of,
+                       ItemOf item_of) {
+    Rows rows;
+    rows.begin_.assign(n_rows + 1, 0);
+    for (const U& item : other.items()) ++rows.begin_[key_of(item)];
+    rows.add_up();
+    for (std::size_t r = other.size(); r-- > 0;) {
+      const std::span<const U> row = other[r];
+      for (std::size_t i = row.size(); i-- > 0;)
+        rows.items_[--rows.begin_[key_of(row[i])]] =
+            item_of(static_cast<std::uint32_t>(r), row[i]);
+    }
+    return rows;
   }
 
  private:
+  // From sizes to ends, which become begins as the rows are filled.
+  void add_up() {
+    std::uint32_t end = 0;
+    for (std::uint32_t& begin : begin_) begin = end += begin;
+    items_.resize(end);
+  }
+
   std::vector<T> items_;
   std::vector<std::uint32_t> begin_ = {0};
 };

@@ -64,6 +64,7 @@ bool Sides::start(Assignment& assignment, Conflict& conflict) {
 }
 
 bool Sides::propagate(Literal l, Assignment& assignment, Conflict& conflict) {
+  if (walls_.empty()) return true;
   for (const std::uint32_t w : walls_of_variable_[index(l.var())]) {
     const auto [a, b] = ends(w);
     if (rooms_[a].group != rooms_[b].group) merge(w, l.value());
@@ -110,6 +111,7 @@ void Sides::merge(std::uint32_t wall, bool value) {
 }
 
 void Sides::undo(Literal l) {
+  if (merges_.empty()) return;
   const auto walls = walls_of_variable_[index(l.var())];
   for (std::size_t i = walls.size(); i-- > 0;)
     if (!merges_.empty() && merges_.back().wall == walls[i]) unmerge();

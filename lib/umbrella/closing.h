@@ -44,6 +44,9 @@ struct ClosingOptions {
   std::uint64_t conflicts = 60'000;
   std::uint64_t propagations = 4'000'000;
   std::uint64_t propagations_per_vertex = 300;
+  /// Conflicts of a first search, which knows less of the program. It makes no
+  /// difference to a result that is within the limits.
+  std::uint64_t short_search = 100;
   /// Wall clock for all regions together; a limit that is hit makes the
   /// result depend on the machine.
   double seconds = std::numeric_limits<double>::infinity();

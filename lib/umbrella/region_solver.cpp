@@ -98,7 +98,6 @@ Attempt RegionSolver::attempt(const Region& region, Effort& effort,
 ///
 /// @return whether that solved it; if not, the result is as before
 bool RegionSolver::solve_in_order(Work& work) {
-  constexpr std::uint64_t kConflicts = 100;
   if (options_.mode == CloseMode::Paper || !work.program.droppable().empty())
     return false;
   work.solver.set_priority(work.worst_first);
@@ -107,7 +106,8 @@ bool RegionSolver::solve_in_order(Work& work) {
     ilp::Limits few = limits(work);
     const std::uint64_t used = work.solver.statistics().conflicts;
     few.conflicts =
-        std::min(few.conflicts, kConflicts - std::min(used, kConflicts));
+        std::min(few.conflicts,
+                 options_.short_search - std::min(used, options_.short_search));
     work.status = work.solver.solve({}, few);
     if (work.status != ilp::Status::Feasible) {
       work.result.pieces.clear();

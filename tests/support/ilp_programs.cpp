@@ -232,6 +232,22 @@ Problem part_of(const Problem& problem,
   return with_fixed(part, problem.fixed());
 }
 
+void add_rows(Problem& problem, const ilp::LinearForm& form) {
+  for (const ilp::LinearRow& row : form.rows) {
+    std::vector<ilp::Term> opposite = row.terms;
+    for (ilp::Term& t : opposite) t.coefficient = -t.coefficient;
+    problem.add_linear(opposite, -row.bound);
+    if (row.is_equation) problem.add_linear(row.terms, row.bound);
+  }
+}
+
+Problem rows_alone(const ilp::LinearForm& form) {
+  Problem problem;
+  problem.add_variables(form.n_variables);
+  add_rows(problem, form);
+  return problem;
+}
+
 std::vector<VarId> random_order(std::mt19937_64& rng, std::size_t n) {
   std::vector<VarId> order(n);
   for (std::uint32_t i = 0; i < n; ++i) order[i] = VarId{i};

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "ilp/linear_form.h"
 #include "ilp/problem.h"
 
 namespace support {
@@ -48,6 +49,11 @@ ilp::Problem with_fixed(ilp::Problem problem,
 /// The fixed values of a program and these of its constraints alone.
 ilp::Problem part_of(const ilp::Problem& problem,
                      std::span<const ilp::ConstraintId> constraints);
+
+/// Adds the rows of a form, whose variables are the program's.
+void add_rows(ilp::Problem& problem, const ilp::LinearForm& form);
+/// The rows of a form, and nothing else.
+ilp::Problem rows_alone(const ilp::LinearForm& form);
 
 /// All variables in random order.
 std::vector<ilp::VarId> random_order(std::mt19937_64& rng, std::size_t n);

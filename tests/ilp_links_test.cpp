@@ -1,0 +1,116 @@
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <random>
+#include <vector>
+
+#include "ilp/links.h"
+#include "tests/support/ilp_programs.h"
+
+namespace {
+
+using ilp::Links;
+using ilp::Problem;
+using ilp::VarId;
+
+using Vars = std::vector<VarId>;
+
+Vars ascending(std::span<const VarId> vars) {
+  Vars result(vars.begin(), vars.end());
+  std::ranges::sort(result);
+  return result;
+}
+
+Vars spokes_at(const Problem& problem, std::size_t ring, std::uint32_t node) {
+  Vars result;
+  for (const ilp::Spoke& s : problem.ring(ring))
+    if (s.a == node || s.b == node) result.push_back(s.var);
+  std::ranges::sort(result);
+  return result;
+}
+
+bool has_pair(const Problem& problem, const Vars& vars) {
+  for (std::size_t p = 0; p < problem.n_pairs(); ++p)
+    if (ascending(problem.pair(p)) == vars) return true;
+  return false;
+}
+
+// Each end of each spoke has the variables of its node, and a pair of the
+// problem's own where there is one.
+void expect_linked(const Problem& problem) {
+  const Links links = link(problem);
+  ASSERT_EQ(links.rings.size(), problem.n_rings());
+  for (std::size_t r = 0; r < problem.n_rings(); ++r)
+    for (std::size_t i = 0; i < problem.ring(r).size(); ++i) {
+      const ilp::Spoke& spoke = problem.ring(r)[i];
+      const ilp::LinkedSpoke& linked = links.rings[r][i];
+      EXPECT_EQ(linked.var, spoke.var);
+      for (const auto& [node, pair] : {std::pair{spoke.a, linked.pair_a},
+                                       std::pair{spoke.b, linked.pair_b}}) {
+        const Vars vars = spokes_at(problem, r, node);
+        EXPECT_EQ(ascending(links.pairs[pair]), vars);
+        EXPECT_EQ(pair < problem.n_pairs(), has_pair(problem, vars));
+      }
+    }
+}
+
+void expect_listed(const Problem& problem) {
+  const Links links = link(problem);
+  ASSERT_EQ(links.sums.size(), links.pairs.size());
+  ASSERT_EQ(links.pair_origin.size(), links.pairs.size());
+  std::vector<std::vector<std::uint32_t>> pairs_of(problem.n_variables());
+  for (std::uint32_t p = 0; p < links.pairs.size(); ++p)
+    for (const VarId v : links.pairs[p]) pairs_of[index(v)].push_back(p);
+  for (std::size_t v = 0; v < problem.n_variables(); ++v)
+    EXPECT_THAT(links.pairs_of[v], testing::ElementsAreArray(pairs_of[v]));
+}
+
+// The same constraints, with the variables of each in a random order.
+Problem shuffled(const Problem& problem, std::mt19937_64& rng) {
+  Problem result;
+  result.add_variables(problem.n_variables());
+  for (std::size_t p = 0; p < problem.n_pairs(); ++p) {
+    Vars vars(problem.pair(p).begin(), problem.pair(p).end());
+    std::shuffle(vars.begin(), vars.end(), rng);
+    result.add_pair(vars);
+  }
+  for (std::size_t r = 0; r < problem.n_rings(); ++r) {
+    std::vector<ilp::Spoke> spokes(problem.ring(r).begin(),
+                                   problem.ring(r).end());
+    std::shuffle(spokes.begin(), spokes.end(), rng);
+    result.add_ring(spokes, problem.is_optional(r));
+  }
+  return result;
+}
+
+TEST(Links, NameEveryNodeByThePairWithItsVariables) {
+  std::mt19937_64 rng(20261122);
+  for (int trial = 0; trial < 20; ++trial) {
+    SCOPED_TRACE(testing::Message() << "trial " << trial);
+    const Problem problem = support::torus_hole(4, 3, rng());
+    expect_linked(problem);
+    expect_listed(problem);
+    EXPECT_EQ(link(problem).pairs.size(), problem.n_pairs());
+    expect_linked(shuffled(problem, rng));
+  }
+}
+
+// Without a pair for some nodes, and with pairs that share size and XOR with a
+// node: variables 0, 3 and 1, 2.
+TEST(Links, MakePairsForNodesThatHaveNone) {
+  Problem problem;
+  const VarId v = problem.add_variables(6);
+  ASSERT_EQ(index(v), 0U);
+  const auto var = [](std::uint32_t i) { return VarId{i}; };
+  problem.add_pair(Vars{var(0), var(1)});
+  problem.add_pair(Vars{var(0), var(3), var(4), var(5)});
+  problem.add_pair(Vars{var(2), var(1), var(4), var(5)});
+  problem.add_ring(std::vector<ilp::Spoke>{
+      {var(0), 0, 1}, {var(3), 0, 2}, {var(1), 1, 2}, {var(2), 2, 3}});
+  problem.add_ring(std::vector<ilp::Spoke>{
+      {var(1), 0, 1}, {var(2), 0, 2}, {var(4), 0, 3}, {var(5), 0, 4}});
+  expect_linked(problem);
+  expect_listed(problem);
+}
+
+}  // namespace
