@@ -115,8 +115,10 @@ class AutoCurves {
                    descent.changed().end());
     make_distinct(changed);
     join(graph, {spacing_at, kJoinPart * price, price}, changed);
-    if (!options_.join_all)
-      report_.tours = shorten_pieces(graph, links_, changed);
+    if (options_.join_all) return;
+    const PieceChanges changes = shorten_pieces(graph, links_, changed);
+    report_.tours = changes.tours;
+    report_.turns = changes.turns;
   }
 
   void join(CurveGraph& graph, PieceRules rules,
