@@ -54,8 +54,11 @@ class Picker {
   explicit Picker(const Triangulation2& t)
       : t_(t),
         obtuse_side_(t.cells().size(), kNoSide),
-        curvature2_(t.cells().size()),
-        picks_(t.points().size()) {}
+        curvature2_(t.cells().size()) {
+    constexpr auto kNone = CurveLinks::kNone;
+    picked_.others.resize(t.points().size(), {kNone, kNone});
+    picked_.lambda2.resize(t.points().size());
+  }
 
   PickedEdges run() && {
     for (std::uint32_t c = 0; c < t_.n_finite_cells(); ++c) {
@@ -64,7 +67,7 @@ class Picker {
     }
     for (std::uint32_t c = 0; c < t_.n_finite_cells(); ++c)
       pick_sides(CellId{c});
-    return {std::move(picks_), n_gabriel_};
+    return std::move(picked_);
   }
 
  private:
@@ -122,7 +125,7 @@ class Picker {
   }
 
   void pick(VertexId v, VertexId w, const std::array<Side, 2>& sides) {
-    ++n_gabriel_;
+    ++picked_.n_gabriel;
     const Point2& a = t_.point(v);
     const Point2& b = t_.point(w);
     const double length2 = (b - a).squaredNorm();
@@ -133,42 +136,47 @@ class Picker {
           std::min(lambda2, curvature2 == kUnknown ? sine2(apex(side), a, b)
                                                    : length2 * curvature2);
     }
-    offer(v, {w, lambda2, length2});
-    offer(w, {v, lambda2, length2});
+    offer(v, w, lambda2);
+    offer(w, v, lambda2);
   }
 
   const Point2& apex(Side side) const {
     return t_.point(t_.cell(side.cell()).vertex[side.index()]);
   }
 
-  void offer(VertexId v, const CurvePick& pick) {
-    auto& [first, second] = picks_[index(v)];
-    if (is_before(v, pick, first))
-      second = std::exchange(first, pick);
-    else if (is_before(v, pick, second))
-      second = pick;
+  /// Takes w among the picks of v if it is better than one of these.
+  void offer(VertexId v, VertexId w, double lambda2) {
+    auto& others = picked_.others[index(v)];
+    auto& lambdas = picked_.lambda2[index(v)];
+    const auto is_better = [&](unsigned i) {
+      if (others[i] == CurveLinks::kNone) return true;
+      if (lambda2 != lambdas[i]) return lambda2 < lambdas[i];
+      return is_before(v, w, others[i]);
+    };
+    if (!is_better(1)) return;
+    const unsigned place = is_better(0) ? 0 : 1;
+    if (place == 0) {
+      others[1] = others[0];
+      lambdas[1] = lambdas[0];
+    }
+    others[place] = w;
+    lambdas[place] = lambda2;
   }
 
-  static bool is_before(VertexId v, const CurvePick& a, const CurvePick& b) {
-    if (b.other == CurveLinks::kNone) return true;
-    if (a.lambda2 != b.lambda2) return a.lambda2 < b.lambda2;
-    const auto [a0, a1] = std::minmax(v, a.other);
-    const auto [b0, b1] = std::minmax(v, b.other);
-    return std::tie(a.length2, a0, a1) < std::tie(b.length2, b0, b1);
+  /// The order of edges v a and v b of the same lambda.
+  bool is_before(VertexId v, VertexId a, VertexId b) const {
+    const double a2 = (t_.point(a) - t_.point(v)).squaredNorm();
+    const double b2 = (t_.point(b) - t_.point(v)).squaredNorm();
+    const auto [a_low, a_high] = std::minmax(v, a);
+    const auto [b_low, b_high] = std::minmax(v, b);
+    return std::tie(a2, a_low, a_high) < std::tie(b2, b_low, b_high);
   }
 
   const Triangulation2& t_;
   std::vector<std::uint8_t> obtuse_side_;  // of a cell, or kNoSide
   std::vector<double> curvature2_;         // of a cell: 0 beyond the hull
-  CurvePicks picks_;
-  std::size_t n_gabriel_ = 0;
+  PickedEdges picked_;
 };
-
-bool has_picked(const std::array<CurvePick, 2>& picks, VertexId v) {
-  // A vertex with a single Gabriel edge picks none.
-  return picks[1].other != CurveLinks::kNone &&
-         (picks[0].other == v || picks[1].other == v);
-}
 
 }  // namespace
 
@@ -176,17 +184,21 @@ PickedEdges pick_edges(const Triangulation2& triangulation) {
   return Picker(triangulation).run();
 }
 
-CurveLinks agreed_links(const CurvePicks& picks) {
-  CurveLinks links(picks.size());
-  for (std::uint32_t i = 0; i < picks.size(); ++i) {
-    const VertexId v{i};
-    for (const CurvePick& pick : picks[i])
-      if (pick.other != CurveLinks::kNone && v < pick.other &&
-          has_picked(picks[i], pick.other) &&
-          has_picked(picks[index(pick.other)], v))
-        links.add(v, pick.other);
+CurveLinks agreed_links(const PickedEdges& picked) {
+  constexpr auto kNone = CurveLinks::kNone;
+  std::vector<std::array<VertexId, 2>> links(picked.others.size(),
+                                             {kNone, kNone});
+  for (std::uint32_t v = 0; v < links.size(); ++v) {
+    // A vertex with a single Gabriel edge picks none.
+    if (picked.others[v][1] == kNone) continue;
+    for (const unsigned i : {0, 1}) {
+      const VertexId w = picked.others[v][i];
+      const auto& [one, other] = picked.others[index(w)];
+      if (other != kNone && (one == VertexId{v} || other == VertexId{v}))
+        links[v][i] = w;
+    }
   }
-  return links;
+  return CurveLinks(std::move(links));
 }
 
 }  // namespace umbrella
