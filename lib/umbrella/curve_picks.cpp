@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -23,21 +24,6 @@ using delaunay::Side;
 using delaunay::Triangulation2;
 using delaunay::VertexId;
 
-// The dot product u.v has at most four roundings, each below 2^-53 of the sum
-// of its terms' sizes; below that, and where the terms may underflow, the exact
-// predicate decides.
-bool is_obtuse(const Point2& p, const Point2& a, const Point2& b) {
-  constexpr double kError = 0x1p-50;
-  constexpr double kNormal = 0x1p-900;
-  const double x = (a.x() - p.x()) * (b.x() - p.x());
-  const double y = (a.y() - p.y()) * (b.y() - p.y());
-  const double dot = x + y;
-  const double doubt = kError * (std::abs(x) + std::abs(y)) + kNormal;
-  if (dot > doubt) return false;
-  if (dot < -doubt) return true;
-  return predicates::gabriel_edge(a.data(), b.data(), p.data()) < 0;
-}
-
 // Square of the sine of the angle under which p sees a b.
 double sine2(const Point2& p, const Point2& a, const Point2& b) {
   const Point2 u = (a - p).stableNormalized();
@@ -48,6 +34,67 @@ double sine2(const Point2& p, const Point2& a, const Point2& b) {
 
 constexpr std::uint8_t kNoSide = 3;
 constexpr double kUnknown = -1;
+constexpr double kNothing = 2;  // more than any square of a sine
+
+double cross(const Point2& u, const Point2& v) {
+  return u.x() * v.y() - u.y() * v.x();
+}
+
+class Triangle {
+ public:
+  explicit Triangle(const std::array<Point2, 3>& points)
+      : p_(points),
+        u_(points[1] - points[0]),
+        v_(points[2] - points[1]),
+        w_(points[0] - points[2]),
+        u2_(u_.squaredNorm()),
+        v2_(v_.squaredNorm()),
+        w2_(w_.squaredNorm()) {}
+
+  // A dot product has at most four roundings, each below 2^-53 of the sum of
+  // its terms' sizes, which is at most that of the squares; below that, and
+  // where the terms may underflow, the exact predicate decides.
+  std::uint8_t obtuse_side() const {
+    constexpr double kError = 0x1p-50;
+    const std::array<double, 3> dot = {-u_.dot(w_), -u_.dot(v_), -v_.dot(w_)};
+    const double least = std::min({dot[0], dot[1], dot[2]});
+    const double doubt = kError * (u2_ + v2_ + w2_) + kNormal;
+    if (!(std::abs(least) > doubt)) return exact_obtuse_side();
+    if (least > 0) return kNoSide;
+    return static_cast<std::uint8_t>(least == dot[0]   ? 0
+                                     : least == dot[1] ? 1
+                                                       : 2);
+  }
+
+  // 1 / D^2 with the diameter of the circumcircle D = |u||v||w| / |u x v|. The
+  // two shorter sides give the area: two long ones may be nearly parallel.
+  double curvature2() const {
+    const double all = u2_ * v2_ * w2_;
+    if (!(all > kNormal && all < 1 / kNormal)) return kUnknown;
+    const bool u_is_longest = u2_ > w2_ && u2_ > v2_;
+    const double area = u_is_longest ? cross(v_, w_)
+                        : v2_ > w2_  ? cross(u_, w_)
+                                     : cross(u_, v_);
+    return area * area / all;
+  }
+
+ private:
+  static constexpr double kNormal = 0x1p-900;
+
+  std::uint8_t exact_obtuse_side() const {
+    for (std::uint8_t i = 0; i < 3; ++i) {
+      const auto& [j, k] = delaunay::kSideCorners[i];
+      if (predicates::gabriel_edge(p_[j].data(), p_[k].data(), p_[i].data()) <
+          0)
+        return i;  // there is one at most
+    }
+    return kNoSide;
+  }
+
+  const std::array<Point2, 3>& p_;
+  Point2 u_, v_, w_;
+  double u2_, v2_, w2_;
+};
 
 class Picker {
  public:
@@ -57,7 +104,7 @@ class Picker {
         curvature2_(t.cells().size()) {
     constexpr auto kNone = CurveLinks::kNone;
     picked_.others.resize(t.points().size(), {kNone, kNone});
-    picked_.lambda2.resize(t.points().size());
+    picked_.lambda2.resize(t.points().size(), {kNothing, kNothing});
   }
 
   PickedEdges run() && {
@@ -65,8 +112,8 @@ class Picker {
       prefetch_points(c);
       look_at(CellId{c});
     }
-    for (std::uint32_t c = 0; c < t_.n_finite_cells(); ++c)
-      pick_sides(CellId{c});
+    for (std::uint32_t c = 0; c < t_.n_finite_cells(); c += kBlock)
+      pick_sides(c);
     return std::move(picked_);
   }
 
@@ -80,57 +127,47 @@ class Picker {
 
   void look_at(CellId c) {
     const Cell2& cell = t_.cell(c);
-    const std::array<Point2, 3> p = {t_.point(cell.vertex[0]),
-                                     t_.point(cell.vertex[1]),
-                                     t_.point(cell.vertex[2])};
-    for (unsigned i = 0; i < 3; ++i) {
-      const auto& [j, k] = delaunay::kSideCorners[i];
-      if (!is_obtuse(p[i], p[j], p[k])) continue;
-      obtuse_side_[index(c)] = static_cast<std::uint8_t>(i);
-      break;  // there is one at most
+    const std::array<Point2, 3> points = {t_.point(cell.vertex[0]),
+                                          t_.point(cell.vertex[1]),
+                                          t_.point(cell.vertex[2])};
+    const Triangle triangle(points);
+    obtuse_side_[index(c)] = triangle.obtuse_side();
+    curvature2_[index(c)] = triangle.curvature2();
+  }
+
+  static constexpr std::uint32_t kBlock = 256;
+
+  /// Picks among the sides of so many cells. They are found first and without
+  /// a branch, for which sides are Gabriel edges no processor can guess.
+  void pick_sides(std::uint32_t first) {
+    const auto n_cells = static_cast<std::uint32_t>(t_.n_finite_cells());
+    std::array<Side, 3 * kBlock> found;
+    std::size_t n_found = 0;
+    for (std::uint32_t c = first; c < std::min(first + kBlock, n_cells); ++c) {
+      for (unsigned i = 0; i < 3; ++i) {
+        const Side there = t_.cell(CellId{c}).neighbor[i];
+        const bool is_first = there.cell() >= CellId{c};
+        const bool is_gabriel =
+            (obtuse_side_[c] != i) &
+            (obtuse_side_[index(there.cell())] != there.index());
+        found[n_found] = Side(CellId{c}, i);
+        n_found += static_cast<std::size_t>(is_first & is_gabriel);
+      }
     }
-    curvature2_[index(c)] = curvature2(p);
+    for (const Side side : std::span(found).first(n_found)) pick(side);
   }
 
-  // 1 / D^2 with the diameter of the circumcircle D = |u||v||w| / |u x v|. The
-  // two shorter sides give the area: two long ones may be nearly parallel.
-  static double curvature2(const std::array<Point2, 3>& p) {
-    constexpr double kNormal = 0x1p-900;
-    Point2 u = p[1] - p[0];
-    Point2 v = p[2] - p[1];
-    Point2 w = p[0] - p[2];
-    double u2 = u.squaredNorm();
-    double v2 = v.squaredNorm();
-    double w2 = w.squaredNorm();
-    const double all = u2 * v2 * w2;
-    if (!(all > kNormal && all < 1 / kNormal)) return kUnknown;
-    if (u2 > w2 && u2 > v2)
-      std::swap(u, w);
-    else if (v2 > w2)
-      std::swap(v, w);
-    const double area = u.x() * v.y() - u.y() * v.x();
-    return area * area / all;
-  }
-
-  void pick_sides(CellId c) {
-    const Cell2& cell = t_.cell(c);
-    for (unsigned i = 0; i < 3; ++i) {
-      const Side there = cell.neighbor[i];
-      if (there.cell() < c || obtuse_side_[index(c)] == i ||
-          obtuse_side_[index(there.cell())] == there.index())
-        continue;
-      const auto& k = delaunay::kSideCorners[i];
-      pick(cell.vertex[k[0]], cell.vertex[k[1]], {Side(c, i), there});
-    }
-  }
-
-  void pick(VertexId v, VertexId w, const std::array<Side, 2>& sides) {
+  void pick(Side here) {
     ++picked_.n_gabriel;
+    const Cell2& cell = t_.cell(here.cell());
+    const auto& [left, right] = delaunay::kSideCorners[here.index()];
+    const VertexId v = cell.vertex[left];
+    const VertexId w = cell.vertex[right];
     const Point2& a = t_.point(v);
     const Point2& b = t_.point(w);
     const double length2 = (b - a).squaredNorm();
     double lambda2 = 1;
-    for (const Side side : sides) {
+    for (const Side side : {here, cell.neighbor[here.index()]}) {
       const double curvature2 = curvature2_[index(side.cell())];
       lambda2 =
           std::min(lambda2, curvature2 == kUnknown ? sine2(apex(side), a, b)
@@ -146,21 +183,16 @@ class Picker {
 
   /// Takes w among the picks of v if it is better than one of these.
   void offer(VertexId v, VertexId w, double lambda2) {
-    auto& others = picked_.others[index(v)];
-    auto& lambdas = picked_.lambda2[index(v)];
-    const auto is_better = [&](unsigned i) {
-      if (others[i] == CurveLinks::kNone) return true;
-      if (lambda2 != lambdas[i]) return lambda2 < lambdas[i];
-      return is_before(v, w, others[i]);
-    };
-    if (!is_better(1)) return;
-    const unsigned place = is_better(0) ? 0 : 1;
-    if (place == 0) {
-      others[1] = others[0];
-      lambdas[1] = lambdas[0];
-    }
-    others[place] = w;
-    lambdas[place] = lambda2;
+    auto& [first, second] = picked_.others[index(v)];
+    auto& [least, next] = picked_.lambda2[index(v)];
+    bool is_first = lambda2 < least;
+    bool is_second = lambda2 < next;
+    if (lambda2 == least) is_first = is_before(v, w, first);
+    if (lambda2 == next) is_second = is_before(v, w, second);
+    second = is_first ? first : is_second ? w : second;
+    next = is_first ? least : is_second ? lambda2 : next;
+    first = is_first ? w : first;
+    least = is_first ? lambda2 : least;
   }
 
   /// The order of edges v a and v b of the same lambda.

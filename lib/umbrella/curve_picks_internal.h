@@ -17,7 +17,7 @@ namespace umbrella {
 struct PickedEdges {
   /// The other ends; kNone where a vertex has fewer than two Gabriel edges.
   std::vector<std::array<delaunay::VertexId, 2>> others;
-  /// Squares of the lower lambda bounds.
+  /// Squares of the lower lambda bounds; 2 where there is no edge.
   std::vector<std::array<double, 2>> lambda2;
   std::size_t n_gabriel = 0;  ///< edges to pick from
 };
