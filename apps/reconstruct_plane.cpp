@@ -86,11 +86,9 @@ report::Json closing(const Request& request,
   }
   if (result.descent) {
     const umbrella::CurveAutoReport& d = *result.descent;
-    json = {{"ambiguous", d.ambiguous},
-            {"moves", d.moves},
-            {"joined", d.joined},
-            {"tours", d.tours},
-            {"gap", d.gap}};
+    json = {{"ambiguous", d.ambiguous}, {"moves", d.moves},
+            {"joined", d.joined},       {"tours", d.tours},
+            {"turns", d.turns},         {"gap", d.gap}};
   }
   if (result.tour)
     json = {{"status", name(result.tour->status)},

@@ -102,7 +102,7 @@ TEST(CurvePicks, AreThoseOfTheFilter) {
       EXPECT_EQ(picked.n_gabriel,
                 static_cast<std::size_t>(
                     std::ranges::count_if(edges, &DelaunayEdge::is_gabriel)));
-      const CurveLinks links = agreed_links(picked.picks);
+      const CurveLinks links = agreed_links(picked);
       std::vector<Edge> agreed;
       for (std::uint32_t v = 0; v < links.n_vertices(); ++v)
         for (const VertexId w : links[VertexId{v}])
@@ -123,13 +123,13 @@ TEST(CurvePicks, NoteTheSquareOfLambda) {
     const PickedEdges picked = pick_edges(t);
     const auto edges = delaunay_edges(t);
     for (std::uint32_t v = 0; v < 5; ++v) {
-      for (const CurvePick& pick : picked.picks[v]) {
-        const Edge ends = {std::min(VertexId{v}, pick.other),
-                           std::max(VertexId{v}, pick.other)};
+      for (const unsigned i : {0, 1}) {
+        const VertexId w = picked.others[v][i];
+        const Edge ends = {std::min(VertexId{v}, w), std::max(VertexId{v}, w)};
         const auto edge =
             std::ranges::lower_bound(edges, ends, {}, &DelaunayEdge::ends);
-        EXPECT_NEAR(pick.lambda2, edge->lambda_lower * edge->lambda_lower,
-                    1e-14);
+        EXPECT_NEAR(picked.lambda2[v][i],
+                    edge->lambda_lower * edge->lambda_lower, 1e-14);
       }
     }
   }

@@ -157,7 +157,8 @@ TEST_F(MeshFile, RefusesIndicesOutOfRange) {
 }
 
 TEST_F(MeshFile, RefusesFilesWithoutAMesh) {
-  EXPECT_EQ(error("1 2 3\n4 5 6\n"), "in: no PLY, OFF, OBJ or STL file");
+  EXPECT_EQ(error("1 2 3\n4 5 6\n"),
+            "in: no PLY, OFF, OBJ or STL file, nor edges in a .txt file");
   EXPECT_EQ(error("v 1 2 3\n"), "in: neither triangles nor edges in the file");
   EXPECT_THAT(error("OFF\n1000000000 1000000000000 0\n"),
               HasSubstr("more vertices than the file can hold: 1000000000"));
@@ -180,6 +181,18 @@ TEST_F(MeshFile, HoldsCurvesOfThePlane) {
   }
   io::write_mesh(folder_.path("a.txt"), curve);
   EXPECT_EQ(folder_.content("a.txt"), "0 0 1 0\n1 0 0.3 1\n0.3 1 0 0\n");
+  const io::Mesh back = io::read_mesh(folder_.path("a.txt"));
+  EXPECT_EQ(back.dimension, 2);
+  EXPECT_EQ(back.vertices, curve.vertices);
+  EXPECT_EQ(back.edges, curve.edges);
+}
+
+TEST_F(MeshFile, RefusesTextThatIsNoEdges) {
+  EXPECT_EQ(error("0 0 1 0\n1 0 2\n", "a.txt"),
+            "a.txt:2:5: an edge is four columns: x y x y");
+  EXPECT_EQ(error("0 0 1 0 7\n", "a.txt"),
+            "a.txt:1:9: an edge is four columns: x y x y");
+  EXPECT_THAT(error("0 0 1 x\n", "a.txt"), HasSubstr("a.txt:1:7: "));
 }
 
 TEST_F(MeshFile, DrawsCurves) {

@@ -98,8 +98,11 @@ Mesh read(const std::string& path, bool faces) {
   if (source.bytes.starts_with("\xef\xbb\xbf"))  // byte order mark
     source.bytes.remove_prefix(3);
   const Format format = format_of(path, source);
-  if (faces && format == Format::Text)
-    throw ParseError(file + ": no PLY, OFF, OBJ or STL file");
+  if (faces && format == Format::Text) {
+    if (has_extension(path, ".txt")) return parse_text_edges(source);
+    throw ParseError(
+        file + ": no PLY, OFF, OBJ or STL file, nor edges in a .txt file");
+  }
   return parse(source, format);
 }
 

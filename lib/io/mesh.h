@@ -19,10 +19,10 @@ struct Mesh {
   std::vector<std::array<std::uint32_t, 2>> edges;
 };
 
-/// Mesh of a PLY, OFF, OBJ or STL file. Faces with more than three corners are
-/// cut into a fan about their first corner; corners of STL triangles with
-/// equal coordinates become one vertex. Indices are in range; nothing else is
-/// promised of the triangles.
+/// Mesh of a PLY, OFF, OBJ or STL file, or of a .txt file of edges. Faces with
+/// more than three corners are cut into a fan about their first corner; corners
+/// of STL triangles and ends of edges as text with equal coordinates become one
+/// vertex. Indices are in range; nothing else is promised of the triangles.
 ///
 /// @param path  `-` is standard input
 /// @throws ParseError  missing, empty, malformed or compressed file; neither

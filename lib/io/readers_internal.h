@@ -33,6 +33,8 @@ Mesh parse_obj(const Source& source);
 Mesh parse_stl_text(const Source& source);
 Mesh parse_stl_binary(const Source& source);
 Mesh parse_text(const Source& source);
+/// Edges of the plane, as write_mesh() puts them into a .txt file.
+Mesh parse_text_edges(const Source& source);
 
 /// Fan of a polygon, about its first corner.
 template <class Corners>

@@ -4,12 +4,12 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
-#include <unordered_map>
 
 #include "io/binary_internal.h"
 #include "io/error.h"
 #include "io/readers_internal.h"
 #include "io/scanner_internal.h"
+#include "io/vertex_merger_internal.h"
 
 namespace io {
 namespace {
@@ -17,31 +17,18 @@ namespace {
 class CornerMerger {
  public:
   void add(const Eigen::Vector3d& p) {
-    const Key key = {p.x() + 0.0, p.y() + 0.0, p.z() + 0.0};  // -0 becomes 0
-    const auto next = static_cast<std::uint32_t>(mesh_.vertices.size());
-    const auto [at, is_new] = vertex_.try_emplace(key, next);
-    if (is_new) mesh_.vertices.push_back(p);
-    triangle_[n_corners_++ % 3] = at->second;
+    triangle_[n_corners_++ % 3] = vertices_.add(p);
     if (n_corners_ % 3 == 0) mesh_.triangles.push_back(triangle_);
   }
 
-  Mesh take() { return std::move(mesh_); }
+  Mesh take() {
+    mesh_.vertices = vertices_.take();
+    return std::move(mesh_);
+  }
 
  private:
-  using Key = std::array<double, 3>;
-  struct Hash {
-    std::size_t operator()(const Key& key) const {
-      std::uint64_t h = 0;
-      for (const double x : key) {
-        h = (h ^ std::bit_cast<std::uint64_t>(x)) * 0x9E37'79B9'7F4A'7C15U;
-        h ^= h >> 29U;
-      }
-      return h;
-    }
-  };
-
   Mesh mesh_;
-  std::unordered_map<Key, std::uint32_t, Hash> vertex_;
+  VertexMerger vertices_;
   std::array<std::uint32_t, 3> triangle_{};
   std::size_t n_corners_ = 0;
 };

@@ -1,4 +1,5 @@
-// Points as text: one a line, the first two or three columns.
+// Points as text: one a line, the first two or three columns. Edges as text:
+// the two ends of one a line.
 
 #include <algorithm>
 #include <cctype>
@@ -6,6 +7,7 @@
 #include "io/error.h"
 #include "io/readers_internal.h"
 #include "io/scanner_internal.h"
+#include "io/vertex_merger_internal.h"
 
 namespace io {
 namespace {
@@ -71,6 +73,26 @@ Mesh parse_text(const Source& source) {
   if (announced >= 0 && announced != found)
     scan.fail_here(std::to_string(announced) + " points announced, " +
                    std::to_string(found) + " found");
+  return mesh;
+}
+
+Mesh parse_text_edges(const Source& source) {
+  Scanner scan(source.file, source.bytes, kSyntax);
+  Mesh mesh;
+  mesh.dimension = 2;
+  VertexMerger vertices;
+  while (scan.next_row()) {
+    std::array<double, 4> row{};
+    row[0] = scan.number();
+    for (std::size_t i = 1; i < row.size(); ++i) {
+      if (!scan.more()) scan.fail_at_last("an edge is four columns: x y x y");
+      row[i] = scan.number();
+    }
+    if (scan.more()) scan.fail_here("an edge is four columns: x y x y");
+    const std::uint32_t from = vertices.add({row[0], row[1], 0});
+    mesh.edges.push_back({from, vertices.add({row[2], row[3], 0})});
+  }
+  mesh.vertices = vertices.take();
   return mesh;
 }
 

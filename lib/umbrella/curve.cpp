@@ -7,6 +7,7 @@
 #include "delaunay/spatial_sort.h"
 #include "predicates/predicates.h"
 #include "umbrella/curve_filter.h"
+#include "umbrella/curve_links_internal.h"
 #include "umbrella/stopwatch.h"
 
 namespace umbrella {
@@ -16,47 +17,42 @@ using delaunay::Point2;
 using delaunay::Triangulation2;
 using delaunay::VertexId;
 
-/// The edges of a graph at each vertex, as far as that is two.
-class TwoRegularPart {
- public:
-  TwoRegularPart(std::size_t n_vertices, std::span<const Edge> edges)
-      : degree_(n_vertices), mates_(n_vertices) {
-    for (const auto& [v, w] : edges) {
-      add(v, w);
-      add(w, v);
-    }
+/// The links of vertices with exactly two edges; none at others.
+CurveLinks two_regular_part(std::size_t n_vertices,
+                            std::span<const Edge> edges) {
+  constexpr auto kNone = CurveLinks::kNone;
+  std::vector<std::array<VertexId, 2>> links(n_vertices, {kNone, kNone});
+  std::vector<std::uint8_t> degree(n_vertices);
+  const auto add = [&](VertexId v, VertexId w) {
+    std::uint8_t& d = degree[index(v)];
+    if (d < 2) links[index(v)][d] = w;
+    if (d < 3) ++d;
+  };
+  for (const auto& [v, w] : edges) {
+    add(v, w);
+    add(w, v);
   }
+  for (std::size_t v = 0; v < n_vertices; ++v)
+    if (degree[v] != 2) links[v] = {kNone, kNone};
+  return CurveLinks(std::move(links));
+}
 
-  bool has_two(VertexId v) const { return degree_[index(v)] == 2; }
-
-  /// The vertices of the closed curve through `start`, in one of the two
-  /// senses; empty if there is none. Those seen are not to be asked for again.
-  std::vector<VertexId> curve_through(VertexId start,
-                                      std::vector<bool>& seen) const {
-    std::vector<VertexId> curve;
-    VertexId previous = start;
-    VertexId v = start;
-    do {
-      curve.push_back(v);
-      seen[index(v)] = true;
-      const auto& [one, other] = mates_[index(v)];
-      const VertexId next = one == previous ? other : one;
-      previous = std::exchange(v, next);
-    } while (has_two(v) && !seen[index(v)]);
-    if (v != start) curve.clear();
-    return curve;
-  }
-
- private:
-  void add(VertexId v, VertexId w) {
-    unsigned& degree = degree_[index(v)];
-    if (degree < 2) mates_[index(v)][degree] = w;
-    ++degree;
-  }
-
-  std::vector<unsigned> degree_;
-  std::vector<std::array<VertexId, 2>> mates_;
-};
+/// Goes along links from `start`, in one of the two senses, and marks what it
+/// sees. Each vertex is to be asked for only while it is not seen.
+/// @param curve  the vertices; empty if the links lead to an end
+void walk(const CurveLinks& links, VertexId start, std::vector<bool>& seen,
+          std::vector<VertexId>& curve) {
+  curve.clear();
+  VertexId previous = links[start][1];
+  VertexId v = start;
+  do {
+    curve.push_back(v);
+    seen[index(v)] = true;
+    const VertexId next = links.beyond(v, previous);
+    previous = std::exchange(v, next);
+  } while (v != CurveLinks::kNone && links.is_full(v) && !seen[index(v)]);
+  if (v != start) curve.clear();
+}
 
 bool is_left_of(const Point2& a, const Point2& b) {
   return std::pair(a.x(), a.y()) < std::pair(b.x(), b.y());
@@ -84,47 +80,72 @@ double lambda_of(const Edge& edge, std::span<const DelaunayEdge> edges) {
       ->lambda_lower;
 }
 
-/// Edges between vertices of at most two, ascending.
-std::vector<Edge> edges_of(const CurveAutoResult& curves) {
-  std::vector<Edge> edges;
-  edges.reserve(curves.links.size());
-  for (std::uint32_t v = 0; v < curves.links.size(); ++v) {
-    Edge others = curves.links[v];
+/// Edges in the order of as_oriented_curves().
+class OrientedEdges {
+ public:
+  explicit OrientedEdges(const Triangulation2& t)
+      : t_(t), on_curve_(t.points().size()) {}
+
+  void add_closed_curves(const CurveLinks& links) {
+    std::vector<bool> seen(links.n_vertices());
+    std::vector<VertexId> curve;
+    for (std::uint32_t i = 0; i < links.n_vertices(); ++i) {
+      if (seen[i] || !links.is_full(VertexId{i})) continue;
+      walk(links, VertexId{i}, seen, curve);
+      if (curve.empty()) continue;
+      orient(t_, curve);
+      for (std::size_t k = 0; k < curve.size(); ++k) {
+        edges_.push_back({curve[k], curve[k + 1 < curve.size() ? k + 1 : 0]});
+        on_curve_[index(curve[k])] = true;
+      }
+    }
+  }
+  void add_rest(const Edge& edge) {
+    if (!on_curve_[index(edge[0])]) edges_.push_back(edge);
+  }
+  std::vector<Edge> take() && { return std::move(edges_); }
+
+ private:
+  const Triangulation2& t_;
+  std::vector<bool> on_curve_;
+  std::vector<Edge> edges_;
+};
+
+/// Calls visit(edge) for all, by ascending ends.
+template <class Visit>
+void for_each_edge(const CurveLinks& links, const Visit& visit) {
+  for (std::uint32_t i = 0; i < links.n_vertices(); ++i) {
+    const VertexId v{i};
+    Edge others = links[v];
     if (others[1] < others[0]) std::swap(others[0], others[1]);
     for (const VertexId w : others)
-      if (VertexId{v} < w && w != delaunay::kInfinite)
-        edges.push_back({VertexId{v}, w});
+      if (v < w && w != CurveLinks::kNone) visit(Edge{v, w});
   }
+}
+
+std::vector<Edge> edges_of(const CurveLinks& links) {
+  std::vector<Edge> edges;
+  for_each_edge(links, [&](const Edge& edge) { edges.push_back(edge); });
   return edges;
 }
 
-double lambda_of(const Edge& edge, const CurveAutoResult& curves) {
-  const std::size_t v = index(edge[0]);
-  return curves.lambda[v][curves.links[v][0] == edge[1] ? 0 : 1];
+/// As as_oriented_curves(), for a graph of at most two edges a vertex.
+std::vector<Edge> oriented_curves(const Triangulation2& vertices,
+                                  const CurveLinks& links) {
+  OrientedEdges oriented(vertices);
+  oriented.add_closed_curves(links);
+  for_each_edge(links, [&](const Edge& edge) { oriented.add_rest(edge); });
+  return std::move(oriented).take();
 }
 
 }  // namespace
 
 std::vector<Edge> as_oriented_curves(const Triangulation2& vertices,
                                      std::span<const Edge> edges) {
-  const std::size_t n = vertices.points().size();
-  const TwoRegularPart part(n, edges);
-  std::vector<Edge> oriented;
-  std::vector<bool> seen(n);
-  std::vector<bool> on_curve(n);
-  for (std::uint32_t i = 0; i < n; ++i) {
-    if (seen[i] || !part.has_two(VertexId{i})) continue;
-    std::vector<VertexId> curve = part.curve_through(VertexId{i}, seen);
-    if (curve.empty()) continue;
-    orient(vertices, curve);
-    for (std::size_t k = 0; k < curve.size(); ++k) {
-      oriented.push_back({curve[k], curve[(k + 1) % curve.size()]});
-      on_curve[index(curve[k])] = true;
-    }
-  }
-  std::ranges::copy_if(edges, std::back_inserter(oriented),
-                       [&](const Edge& e) { return !on_curve[index(e[0])]; });
-  return oriented;
+  OrientedEdges oriented(vertices);
+  oriented.add_closed_curves(two_regular_part(vertices.points().size(), edges));
+  for (const Edge& edge : edges) oriented.add_rest(edge);
+  return std::move(oriented).take();
 }
 
 namespace {
@@ -174,29 +195,32 @@ class Run {
     constexpr double kOpenGap = 4;
     CurveAutoOptions options;
     if (options_.mode == CurveMode::Open) options.gap = kOpenGap;
-    const CurveAutoResult curves = auto_curves(t_, options);
+    CurveAutoResult curves = auto_curves(t_, options);
     count(curves.report);
     result_.descent = curves.report;
-    write(edges_of(curves),
-          [&](const Edge& e) { return lambda_of(e, curves); });
+    const CurveLinks links(std::move(curves.links));
+    write(oriented_curves(t_, links), [&](const Edge& e) {
+      return curves.lambda[index(e[0])][links[e[0]][0] == e[1] ? 0 : 1];
+    });
   }
 
   void make_tour() {
-    const CurveAutoResult start =
-        auto_curves(t_, {.gap = kNoGap, .join_all = true});
-    count(start.report);
+    CurveAutoResult curves = auto_curves(t_, {.gap = kNoGap, .join_all = true});
+    count(curves.report);
+    const CurveLinks start(std::move(curves.links));
     const std::vector<DelaunayEdge> edges = delaunay_edges(t_);
-    TourResult tour = tour_from(edges, edges_of(start));
+    TourResult tour = tour_from(edges, start);
     std::vector<Edge> curve;
     for (const std::uint32_t e : tour.edges) curve.push_back(edges[e].ends);
     tour.edges.clear();
     result_.tour = tour;
     if (curve.empty()) curve = edges_of(start);
-    write(curve, [&](const Edge& e) { return lambda_of(e, edges); });
+    write(as_oriented_curves(t_, curve),
+          [&](const Edge& e) { return lambda_of(e, edges); });
   }
 
   TourResult tour_from(std::span<const DelaunayEdge> edges,
-                       const std::vector<Edge>& start) const {
+                       const CurveLinks& start) const {
     std::vector<TourEdge> all;
     all.reserve(edges.size());
     for (const DelaunayEdge& edge : edges) {
@@ -206,20 +230,14 @@ class Run {
            edge.length});
     }
     std::vector<std::uint32_t> indices;
-    indices.reserve(start.size());
-    for (const Edge& ends : start)
-      indices.push_back(static_cast<std::uint32_t>(
-          std::ranges::lower_bound(edges, ends, {}, &DelaunayEdge::ends) -
-          edges.begin()));
-    if (!is_one_curve(start)) indices.clear();
+    if (start.closed_curve_through(VertexId{0}).size() == start.n_vertices()) {
+      for_each_edge(start, [&](const Edge& ends) {
+        indices.push_back(static_cast<std::uint32_t>(
+            std::ranges::lower_bound(edges, ends, {}, &DelaunayEdge::ends) -
+            edges.begin()));
+      });
+    }
     return shortest_tour(t_.points().size(), all, indices, options_.tour);
-  }
-
-  bool is_one_curve(const std::vector<Edge>& edges) const {
-    const TwoRegularPart part(t_.points().size(), edges);
-    std::vector<bool> seen(t_.points().size());
-    return part.has_two(VertexId{0}) &&
-           part.curve_through(VertexId{0}, seen).size() == seen.size();
   }
 
   void filter() {
@@ -239,7 +257,8 @@ class Run {
     } else if (options_.mode == CurveMode::Mutual) {
       filter.edges = std::move(filter.agreed);
     }
-    write(filter.edges, [&](const Edge& e) { return lambda_of(e, edges); });
+    write(as_oriented_curves(t_, filter.edges),
+          [&](const Edge& e) { return lambda_of(e, edges); });
   }
 
   void count(const CurveAutoReport& report) {
@@ -249,11 +268,11 @@ class Run {
   }
 
   template <class Lambda>
-  void write(const std::vector<Edge>& edges, const Lambda& lambda) {
-    result_.edges.reserve(edges.size());
-    result_.lambda.reserve(edges.size());
+  void write(const std::vector<Edge>& oriented, const Lambda& lambda) {
+    result_.edges.reserve(oriented.size());
+    result_.lambda.reserve(oriented.size());
     std::vector<std::uint8_t> degree(t_.points().size());
-    for (const Edge& edge : as_oriented_curves(t_, edges)) {
+    for (const Edge& edge : oriented) {
       result_.edges.push_back(
           {row_of_[index(edge[0])], row_of_[index(edge[1])]});
       result_.lambda.push_back(lambda(edge));

@@ -58,10 +58,9 @@ class Spacings {
 
 /// Vertices that lack links, or have one that may be a gap.
 std::vector<VertexId> ambiguous(const Triangulation2& t,
-                                const CurvePicks& picks,
                                 const CurveLinks& agreed, double price) {
   std::vector<VertexId> found;
-  for (std::uint32_t i = 0; i < picks.size(); ++i) {
+  for (std::uint32_t i = 0; i < agreed.n_vertices(); ++i) {
     const VertexId v{i};
     if (!agreed.is_full(v)) {
       found.push_back(v);
@@ -69,13 +68,17 @@ std::vector<VertexId> ambiguous(const Triangulation2& t,
     }
     // A gap is at least twice the price longer than the median of the links
     // about it, so also than the shorter one here, but where gaps follow gaps.
-    const auto& [one, other] = picks[i];
-    const auto [least, most] = std::minmax(one.length2, other.length2);
+    const auto length2 = [&](VertexId w) {
+      return (t.point(w) - t.point(v)).squaredNorm();
+    };
+    const auto& [one, other] = agreed[v];
+    const std::array<double, 2> lengths = {length2(one), length2(other)};
+    const auto [least, most] = std::ranges::minmax(lengths);
     if (most <= 4 * price * price * least) continue;
-    const CurvePick& longer = one.length2 > other.length2 ? one : other;
-    const double spacing = std::min(link_spacing(t, agreed, v),
-                                    link_spacing(t, agreed, longer.other));
-    if (std::sqrt(longer.length2) > 2 * price * spacing) found.push_back(v);
+    const VertexId far = lengths[0] == most ? one : other;
+    const double spacing =
+        std::min(link_spacing(t, agreed, v), link_spacing(t, agreed, far));
+    if (std::sqrt(most) > 2 * price * spacing) found.push_back(v);
   }
   return found;
 }
@@ -86,14 +89,13 @@ class AutoCurves {
       : t_(t),
         options_(options),
         picked_(pick_edges(t)),
-        links_(agreed_links(picked_.picks)) {}
+        links_(agreed_links(picked_)) {}
 
   CurveAutoResult run() {
     count_picks();
     const double price = end_price(options_, t_, links_);
     report_.gap = 2 * price;
-    const std::vector<VertexId> doubtful =
-        ambiguous(t_, picked_.picks, links_, price);
+    const std::vector<VertexId> doubtful = ambiguous(t_, links_, price);
     report_.ambiguous = doubtful.size();
     if (!doubtful.empty() || options_.join_all) mend(doubtful, price);
     return result();
@@ -115,8 +117,10 @@ class AutoCurves {
                    descent.changed().end());
     make_distinct(changed);
     join(graph, {spacing_at, kJoinPart * price, price}, changed);
-    if (!options_.join_all)
-      report_.tours = shorten_pieces(graph, links_, changed);
+    if (options_.join_all) return;
+    const PieceChanges changes = shorten_pieces(graph, links_, changed);
+    report_.tours = changes.tours;
+    report_.turns = changes.turns;
   }
 
   void join(CurveGraph& graph, PieceRules rules,
@@ -152,8 +156,8 @@ class AutoCurves {
 
   void count_picks() {
     std::size_t n_agreed = 0;
-    for (std::uint32_t v = 0; v < picked_.picks.size(); ++v) {
-      if (picked_.picks[v][1].other == CurveLinks::kNone)
+    for (std::uint32_t v = 0; v < links_.n_vertices(); ++v) {
+      if (picked_.others[v][1] == CurveLinks::kNone)
         ++report_.without_umbrella;
       else
         report_.filter_edges += 2;
@@ -166,21 +170,22 @@ class AutoCurves {
 
   double lambda_of(VertexId v, VertexId w) {
     if (w == CurveLinks::kNone) return 0;
-    for (const CurvePick& pick : picked_.picks[index(v)])
-      if (pick.other == w) return std::sqrt(pick.lambda2);
+    for (const unsigned i : {0, 1})
+      if (picked_.others[index(v)][i] == w)
+        return std::sqrt(picked_.lambda2[index(v)][i]);
     return graph_->arc(v, w)->lambda;
   }
 
   CurveAutoResult result() {
     CurveAutoResult result;
     result.report = report_;
-    result.links.reserve(links_.n_vertices());
-    result.lambda.reserve(links_.n_vertices());
     for (std::uint32_t i = 0; i < links_.n_vertices(); ++i) {
-      const VertexId v{i};
-      const auto& [w, x] = result.links.emplace_back(links_[v]);
-      result.lambda.push_back({lambda_of(v, w), lambda_of(v, x)});
+      const auto& [w, x] = links_[VertexId{i}];
+      picked_.lambda2[i] = {lambda_of(VertexId{i}, w),
+                            lambda_of(VertexId{i}, x)};
     }
+    result.lambda = std::move(picked_.lambda2);
+    result.links = std::move(links_).release();
     return result;
   }
 

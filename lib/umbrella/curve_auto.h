@@ -30,6 +30,7 @@ struct CurveAutoReport {
   std::size_t moves = 0;             ///< exchanges that made the links cheaper
   std::size_t joined = 0;            ///< small closed pieces opened into others
   std::size_t tours = 0;             ///< closed curves proven shortest
+  std::size_t turns = 0;             ///< exchanges for the sake of corners
   double gap = 0;
 };
 

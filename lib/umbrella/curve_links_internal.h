@@ -5,6 +5,7 @@
 #include <array>
 #include <cassert>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "delaunay/ids.h"
@@ -18,6 +19,14 @@ class CurveLinks {
 
   explicit CurveLinks(std::size_t n_vertices)
       : links_(n_vertices, {kNone, kNone}) {}
+  /// @param links  of each vertex; mutual
+  explicit CurveLinks(std::vector<std::array<VertexId, 2>> links)
+      : links_(std::move(links)) {}
+
+  /// The links of each vertex.
+  std::vector<std::array<VertexId, 2>> release() && {
+    return std::move(links_);
+  }
 
   std::size_t n_vertices() const { return links_.size(); }
   /// Linked vertices, kNone for a free place.

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -23,21 +24,6 @@ using delaunay::Side;
 using delaunay::Triangulation2;
 using delaunay::VertexId;
 
-// The dot product u.v has at most four roundings, each below 2^-53 of the sum
-// of its terms' sizes; below that, and where the terms may underflow, the exact
-// predicate decides.
-bool is_obtuse(const Point2& p, const Point2& a, const Point2& b) {
-  constexpr double kError = 0x1p-50;
-  constexpr double kNormal = 0x1p-900;
-  const double x = (a.x() - p.x()) * (b.x() - p.x());
-  const double y = (a.y() - p.y()) * (b.y() - p.y());
-  const double dot = x + y;
-  const double doubt = kError * (std::abs(x) + std::abs(y)) + kNormal;
-  if (dot > doubt) return false;
-  if (dot < -doubt) return true;
-  return predicates::gabriel_edge(a.data(), b.data(), p.data()) < 0;
-}
-
 // Square of the sine of the angle under which p sees a b.
 double sine2(const Point2& p, const Point2& a, const Point2& b) {
   const Point2 u = (a - p).stableNormalized();
@@ -48,23 +34,87 @@ double sine2(const Point2& p, const Point2& a, const Point2& b) {
 
 constexpr std::uint8_t kNoSide = 3;
 constexpr double kUnknown = -1;
+constexpr double kNothing = 2;  // more than any square of a sine
+
+double cross(const Point2& u, const Point2& v) {
+  return u.x() * v.y() - u.y() * v.x();
+}
+
+class Triangle {
+ public:
+  explicit Triangle(const std::array<Point2, 3>& points)
+      : p_(points),
+        u_(points[1] - points[0]),
+        v_(points[2] - points[1]),
+        w_(points[0] - points[2]),
+        u2_(u_.squaredNorm()),
+        v2_(v_.squaredNorm()),
+        w2_(w_.squaredNorm()) {}
+
+  // A dot product has at most four roundings, each below 2^-53 of the sum of
+  // its terms' sizes, which is at most that of the squares; below that, and
+  // where the terms may underflow, the exact predicate decides.
+  std::uint8_t obtuse_side() const {
+    constexpr double kError = 0x1p-50;
+    const std::array<double, 3> dot = {-u_.dot(w_), -u_.dot(v_), -v_.dot(w_)};
+    const double least = std::min({dot[0], dot[1], dot[2]});
+    const double doubt = kError * (u2_ + v2_ + w2_) + kNormal;
+    if (!(std::abs(least) > doubt)) return exact_obtuse_side();
+    if (least > 0) return kNoSide;
+    return static_cast<std::uint8_t>(least == dot[0]   ? 0
+                                     : least == dot[1] ? 1
+                                                       : 2);
+  }
+
+  // 1 / D^2 with the diameter of the circumcircle D = |u||v||w| / |u x v|. The
+  // two shorter sides give the area: two long ones may be nearly parallel.
+  double curvature2() const {
+    const double all = u2_ * v2_ * w2_;
+    if (!(all > kNormal && all < 1 / kNormal)) return kUnknown;
+    const bool u_is_longest = u2_ > w2_ && u2_ > v2_;
+    const double area = u_is_longest ? cross(v_, w_)
+                        : v2_ > w2_  ? cross(u_, w_)
+                                     : cross(u_, v_);
+    return area * area / all;
+  }
+
+ private:
+  static constexpr double kNormal = 0x1p-900;
+
+  std::uint8_t exact_obtuse_side() const {
+    for (std::uint8_t i = 0; i < 3; ++i) {
+      const auto& [j, k] = delaunay::kSideCorners[i];
+      if (predicates::gabriel_edge(p_[j].data(), p_[k].data(), p_[i].data()) <
+          0)
+        return i;  // there is one at most
+    }
+    return kNoSide;
+  }
+
+  const std::array<Point2, 3>& p_;
+  Point2 u_, v_, w_;
+  double u2_, v2_, w2_;
+};
 
 class Picker {
  public:
   explicit Picker(const Triangulation2& t)
       : t_(t),
         obtuse_side_(t.cells().size(), kNoSide),
-        curvature2_(t.cells().size()),
-        picks_(t.points().size()) {}
+        curvature2_(t.cells().size()) {
+    constexpr auto kNone = CurveLinks::kNone;
+    picked_.others.resize(t.points().size(), {kNone, kNone});
+    picked_.lambda2.resize(t.points().size(), {kNothing, kNothing});
+  }
 
   PickedEdges run() && {
     for (std::uint32_t c = 0; c < t_.n_finite_cells(); ++c) {
       prefetch_points(c);
       look_at(CellId{c});
     }
-    for (std::uint32_t c = 0; c < t_.n_finite_cells(); ++c)
-      pick_sides(CellId{c});
-    return {std::move(picks_), n_gabriel_};
+    for (std::uint32_t c = 0; c < t_.n_finite_cells(); c += kBlock)
+      pick_sides(c);
+    return std::move(picked_);
   }
 
  private:
@@ -77,98 +127,88 @@ class Picker {
 
   void look_at(CellId c) {
     const Cell2& cell = t_.cell(c);
-    const std::array<Point2, 3> p = {t_.point(cell.vertex[0]),
-                                     t_.point(cell.vertex[1]),
-                                     t_.point(cell.vertex[2])};
-    for (unsigned i = 0; i < 3; ++i) {
-      const auto& [j, k] = delaunay::kSideCorners[i];
-      if (!is_obtuse(p[i], p[j], p[k])) continue;
-      obtuse_side_[index(c)] = static_cast<std::uint8_t>(i);
-      break;  // there is one at most
+    const std::array<Point2, 3> points = {t_.point(cell.vertex[0]),
+                                          t_.point(cell.vertex[1]),
+                                          t_.point(cell.vertex[2])};
+    const Triangle triangle(points);
+    obtuse_side_[index(c)] = triangle.obtuse_side();
+    curvature2_[index(c)] = triangle.curvature2();
+  }
+
+  static constexpr std::uint32_t kBlock = 256;
+
+  /// Picks among the sides of so many cells. They are found first and without
+  /// a branch, for which sides are Gabriel edges no processor can guess.
+  void pick_sides(std::uint32_t first) {
+    const auto n_cells = static_cast<std::uint32_t>(t_.n_finite_cells());
+    std::array<Side, 3 * kBlock> found;
+    std::size_t n_found = 0;
+    for (std::uint32_t c = first; c < std::min(first + kBlock, n_cells); ++c) {
+      for (unsigned i = 0; i < 3; ++i) {
+        const Side there = t_.cell(CellId{c}).neighbor[i];
+        const bool is_first = there.cell() >= CellId{c};
+        const bool is_gabriel =
+            (obtuse_side_[c] != i) &
+            (obtuse_side_[index(there.cell())] != there.index());
+        found[n_found] = Side(CellId{c}, i);
+        n_found += static_cast<std::size_t>(is_first & is_gabriel);
+      }
     }
-    curvature2_[index(c)] = curvature2(p);
+    for (const Side side : std::span(found).first(n_found)) pick(side);
   }
 
-  // 1 / D^2 with the diameter of the circumcircle D = |u||v||w| / |u x v|. The
-  // two shorter sides give the area: two long ones may be nearly parallel.
-  static double curvature2(const std::array<Point2, 3>& p) {
-    constexpr double kNormal = 0x1p-900;
-    Point2 u = p[1] - p[0];
-    Point2 v = p[2] - p[1];
-    Point2 w = p[0] - p[2];
-    double u2 = u.squaredNorm();
-    double v2 = v.squaredNorm();
-    double w2 = w.squaredNorm();
-    const double all = u2 * v2 * w2;
-    if (!(all > kNormal && all < 1 / kNormal)) return kUnknown;
-    if (u2 > w2 && u2 > v2)
-      std::swap(u, w);
-    else if (v2 > w2)
-      std::swap(v, w);
-    const double area = u.x() * v.y() - u.y() * v.x();
-    return area * area / all;
-  }
-
-  void pick_sides(CellId c) {
-    const Cell2& cell = t_.cell(c);
-    for (unsigned i = 0; i < 3; ++i) {
-      const Side there = cell.neighbor[i];
-      if (there.cell() < c || obtuse_side_[index(c)] == i ||
-          obtuse_side_[index(there.cell())] == there.index())
-        continue;
-      const auto& k = delaunay::kSideCorners[i];
-      pick(cell.vertex[k[0]], cell.vertex[k[1]], {Side(c, i), there});
-    }
-  }
-
-  void pick(VertexId v, VertexId w, const std::array<Side, 2>& sides) {
-    ++n_gabriel_;
+  void pick(Side here) {
+    ++picked_.n_gabriel;
+    const Cell2& cell = t_.cell(here.cell());
+    const auto& [left, right] = delaunay::kSideCorners[here.index()];
+    const VertexId v = cell.vertex[left];
+    const VertexId w = cell.vertex[right];
     const Point2& a = t_.point(v);
     const Point2& b = t_.point(w);
     const double length2 = (b - a).squaredNorm();
     double lambda2 = 1;
-    for (const Side side : sides) {
+    for (const Side side : {here, cell.neighbor[here.index()]}) {
       const double curvature2 = curvature2_[index(side.cell())];
       lambda2 =
           std::min(lambda2, curvature2 == kUnknown ? sine2(apex(side), a, b)
                                                    : length2 * curvature2);
     }
-    offer(v, {w, lambda2, length2});
-    offer(w, {v, lambda2, length2});
+    offer(v, w, lambda2);
+    offer(w, v, lambda2);
   }
 
   const Point2& apex(Side side) const {
     return t_.point(t_.cell(side.cell()).vertex[side.index()]);
   }
 
-  void offer(VertexId v, const CurvePick& pick) {
-    auto& [first, second] = picks_[index(v)];
-    if (is_before(v, pick, first))
-      second = std::exchange(first, pick);
-    else if (is_before(v, pick, second))
-      second = pick;
+  /// Takes w among the picks of v if it is better than one of these.
+  void offer(VertexId v, VertexId w, double lambda2) {
+    auto& [first, second] = picked_.others[index(v)];
+    auto& [least, next] = picked_.lambda2[index(v)];
+    bool is_first = lambda2 < least;
+    bool is_second = lambda2 < next;
+    if (lambda2 == least) is_first = is_before(v, w, first);
+    if (lambda2 == next) is_second = is_before(v, w, second);
+    second = is_first ? first : is_second ? w : second;
+    next = is_first ? least : is_second ? lambda2 : next;
+    first = is_first ? w : first;
+    least = is_first ? lambda2 : least;
   }
 
-  static bool is_before(VertexId v, const CurvePick& a, const CurvePick& b) {
-    if (b.other == CurveLinks::kNone) return true;
-    if (a.lambda2 != b.lambda2) return a.lambda2 < b.lambda2;
-    const auto [a0, a1] = std::minmax(v, a.other);
-    const auto [b0, b1] = std::minmax(v, b.other);
-    return std::tie(a.length2, a0, a1) < std::tie(b.length2, b0, b1);
+  /// The order of edges v a and v b of the same lambda.
+  bool is_before(VertexId v, VertexId a, VertexId b) const {
+    const double a2 = (t_.point(a) - t_.point(v)).squaredNorm();
+    const double b2 = (t_.point(b) - t_.point(v)).squaredNorm();
+    const auto [a_low, a_high] = std::minmax(v, a);
+    const auto [b_low, b_high] = std::minmax(v, b);
+    return std::tie(a2, a_low, a_high) < std::tie(b2, b_low, b_high);
   }
 
   const Triangulation2& t_;
   std::vector<std::uint8_t> obtuse_side_;  // of a cell, or kNoSide
   std::vector<double> curvature2_;         // of a cell: 0 beyond the hull
-  CurvePicks picks_;
-  std::size_t n_gabriel_ = 0;
+  PickedEdges picked_;
 };
-
-bool has_picked(const std::array<CurvePick, 2>& picks, VertexId v) {
-  // A vertex with a single Gabriel edge picks none.
-  return picks[1].other != CurveLinks::kNone &&
-         (picks[0].other == v || picks[1].other == v);
-}
 
 }  // namespace
 
@@ -176,17 +216,21 @@ PickedEdges pick_edges(const Triangulation2& triangulation) {
   return Picker(triangulation).run();
 }
 
-CurveLinks agreed_links(const CurvePicks& picks) {
-  CurveLinks links(picks.size());
-  for (std::uint32_t i = 0; i < picks.size(); ++i) {
-    const VertexId v{i};
-    for (const CurvePick& pick : picks[i])
-      if (pick.other != CurveLinks::kNone && v < pick.other &&
-          has_picked(picks[i], pick.other) &&
-          has_picked(picks[index(pick.other)], v))
-        links.add(v, pick.other);
+CurveLinks agreed_links(const PickedEdges& picked) {
+  constexpr auto kNone = CurveLinks::kNone;
+  std::vector<std::array<VertexId, 2>> links(picked.others.size(),
+                                             {kNone, kNone});
+  for (std::uint32_t v = 0; v < links.size(); ++v) {
+    // A vertex with a single Gabriel edge picks none.
+    if (picked.others[v][1] == kNone) continue;
+    for (const unsigned i : {0, 1}) {
+      const VertexId w = picked.others[v][i];
+      const auto& [one, other] = picked.others[index(w)];
+      if (other != kNone && (one == VertexId{v} || other == VertexId{v}))
+        links[v][i] = w;
+    }
   }
-  return links;
+  return CurveLinks(std::move(links));
 }
 
 }  // namespace umbrella

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "umbrella/curve_pieces_internal.h"
+#include "umbrella/curve_straightening_internal.h"
 #include "umbrella/curve_tour.h"
 
 namespace umbrella {
@@ -85,18 +86,12 @@ class Shortening {
 
   bool shorten(const std::vector<VertexId>& curve,
                const std::vector<bool>& is_near) {
-    // Far more is no local doubt but another kind of sample.
-    constexpr std::size_t kMost = 3000;
     collect(curve, is_near);
-    bool is_optimal = false;
-    if (vertices_.size() >= 5 && vertices_.size() <= kMost) {
-      const TourResult tour =
-          shortest_tour(vertices_.size(), edges_, start_, {.trees = 3000});
-      is_optimal = tour.status == TourStatus::Optimal;
-      apply(tour);
-    }
+    const TourResult tour =
+        shortest_tour(vertices_.size(), edges_, start_, {.trees = 3000});
+    apply(tour);
     for (const VertexId v : vertices_) place_[index(v)] = kNowhere;
-    return is_optimal;
+    return tour.status == TourStatus::Optimal;
   }
 
  private:
@@ -133,7 +128,6 @@ class Shortening {
                   const std::vector<bool>& is_near) {
     const auto first = std::ranges::find_if(
         curve, [&](VertexId v) { return is_near[index(v)]; });
-    if (vertices_.size() < 2) return;
     VertexId last_near = vertices_.back();
     bool has_gap = curve.front() != *first || !is_near[index(curve.back())];
     for (const VertexId v : curve) {
@@ -218,21 +212,31 @@ std::size_t join_pieces(CurveGraph& graph, CurveLinks& links,
   return n_joined;
 }
 
-std::size_t shorten_pieces(CurveGraph& graph, CurveLinks& links,
-                           std::span<const VertexId> seeds) {
-  if (seeds.empty()) return 0;
+PieceChanges shorten_pieces(CurveGraph& graph, CurveLinks& links,
+                            std::span<const VertexId> seeds) {
+  // Far more is no local doubt but another kind of sample.
+  constexpr std::size_t kMost = 3000;
+  PieceChanges changes;
+  if (seeds.empty()) return changes;
   const std::vector<bool> is_near = near(graph, links.n_vertices(), seeds);
+  const auto near_part = [&](std::vector<VertexId> curve) {
+    std::erase_if(curve, [&](VertexId v) { return !is_near[index(v)]; });
+    return curve;
+  };
   Shortening shortening(graph, links);
+  CurveStraightening straightening(graph, links);
   std::vector<bool> seen(links.n_vertices());
-  std::size_t n_optimal = 0;
   for (const VertexId seed : seeds) {
     if (seen[index(seed)]) continue;
     const std::vector<VertexId> curve = links.closed_curve_through(seed);
     for (const VertexId v : curve) seen[index(v)] = true;
-    if (curve.size() < 5) continue;
-    if (shortening.shorten(curve, is_near)) ++n_optimal;
+    const std::size_t n_near = near_part(curve).size();
+    if (n_near < 5 || n_near > kMost) continue;
+    if (shortening.shorten(curve, is_near)) ++changes.tours;
+    changes.turns +=
+        straightening.run(near_part(links.closed_curve_through(seed)));
   }
-  return n_optimal;
+  return changes;
 }
 
 }  // namespace umbrella

@@ -31,10 +31,15 @@ std::size_t join_pieces(CurveGraph& graph, CurveLinks& links,
                         const PieceRules& rules,
                         std::vector<delaunay::VertexId>& changed);
 
+struct PieceChanges {
+  std::size_t tours = 0;  ///< curves proven to be the cheapest by their edges
+  std::size_t turns = 0;  ///< exchanges for the sake of corners
+};
+
 /// Makes each closed curve through one of the seeds the cheapest one on its
-/// vertices; links more than a few steps from all seeds stay.
-/// @return how many of them are proven to be the cheapest
-std::size_t shorten_pieces(CurveGraph& graph, CurveLinks& links,
-                           std::span<const delaunay::VertexId> seeds);
+/// vertices, then exchanges links where that makes corners cheaper; links more
+/// than a few steps from all seeds stay.
+PieceChanges shorten_pieces(CurveGraph& graph, CurveLinks& links,
+                            std::span<const delaunay::VertexId> seeds);
 
 }  // namespace umbrella
