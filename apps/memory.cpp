@@ -7,7 +7,7 @@
 #include <malloc.h>
 #endif
 
-#include "delaunay/cell_vector.h"
+#include "delaunay/lazy_vector.h"
 
 namespace command {
 

@@ -9,19 +9,22 @@
 
 namespace delaunay {
 
+void advise_huge_pages([[maybe_unused]] void* data,
+                       [[maybe_unused]] std::size_t bytes) {
+#if defined(MADV_HUGEPAGE)
+  constexpr std::size_t kPage = std::size_t{1} << 21U;
+  if (std::align(kPage, kPage, data, bytes) != nullptr)
+    madvise(data, bytes & ~(kPage - 1), MADV_HUGEPAGE);
+#endif
+}
+
 #if defined(MAP_ANONYMOUS)
 
 void* allocate_pages(std::size_t bytes) {
   void* const data = mmap(nullptr, bytes, PROT_READ | PROT_WRITE,
                           MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   if (data == MAP_FAILED) throw std::bad_alloc();
-#if defined(MADV_HUGEPAGE)
-  constexpr std::size_t kPage = std::size_t{1} << 21U;
-  void* huge = data;
-  std::size_t room = bytes;
-  if (std::align(kPage, kPage, huge, room) != nullptr)
-    madvise(huge, room & ~(kPage - 1), MADV_HUGEPAGE);
-#endif
+  advise_huge_pages(data, bytes);
   return data;
 }
 

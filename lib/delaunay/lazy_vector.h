@@ -19,6 +19,9 @@ namespace delaunay {
 void* allocate_pages(std::size_t bytes);
 void free_pages(void* data, std::size_t bytes);
 
+/// Asks for huge pages where memory is used from now on; nothing elsewhere.
+void advise_huge_pages(void* data, std::size_t bytes);
+
 /// Memory whose elements are left as they come unless they are constructed from
 /// something: so a page costs nothing before it is used, and is laid out by the
 /// thread that uses it first.
