@@ -5,8 +5,10 @@
 /// Usage: delaunay3_scaling growth [LARGEST_N]
 ///        delaunay3_scaling threads [RUNS [N]]
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <string>
 #include <vector>
 
@@ -38,21 +40,52 @@ void print_growth(std::size_t largest) {
   }
 }
 
-/// Numbers of threads in turn, and the least wall time of each: other programs
-/// on the machine can only add to it.
+/// Processor seconds, user and system, of the thread that calls this.
+double caller_seconds() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) +
+         1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+/// The calling thread does what one thread has to do alone, and its share of
+/// the rest. So its seconds are what an idle machine would take, also while
+/// others keep the processors busy; wall seconds hold for an idle one only.
+struct Times {
+  double user = 0, caller = 0, wall = 0;
+};
+
+Times times(const std::vector<Eigen::Vector3d>& points, unsigned threads) {
+  const double before = caller_seconds();
+  const bench::Seconds start = bench::now();
+  const delaunay::Triangulation3 t(points, threads);
+  const bench::Seconds all = bench::now() - start;
+  return {all.user, caller_seconds() - before, all.wall};
+}
+
+/// Numbers of threads in turn, and medians of each.
 void print_threads(int n_runs, std::size_t n) {
-  const std::vector<unsigned> threads = {1, 2, 4};
   const auto points = shapes::sample("uniform", n);
-  std::vector<bench::Seconds> best(threads.size(), {1e9, 1e9});
+  constexpr std::array<unsigned, 3> kThreads = {1, 2, 4};
+  std::array<std::vector<Times>, kThreads.size()> runs;
   for (int run = 0; run < n_runs; ++run)
-    for (std::size_t i = 0; i < threads.size(); ++i)
-      best[i] = std::min(
-          best[i], seconds(points, threads[i]),
-          [](const auto& a, const auto& b) { return a.wall < b.wall; });
-  std::printf("%7s %8s %8s %10s\n", "threads", "user s", "wall s", "of one's");
-  for (std::size_t i = 0; i < threads.size(); ++i)
-    std::printf("%7u %8.3f %8.3f %10.2f\n", threads[i], best[i].user,
-                best[i].wall, best[i].wall / best[0].wall);
+    for (std::size_t i = 0; i < kThreads.size(); ++i)
+      runs[i].push_back(times(points, kThreads[i]));
+
+  const auto median = [](std::vector<Times> all, double Times::*column) {
+    std::ranges::sort(all, {}, column);
+    return all[all.size() / 2].*column;
+  };
+  std::printf("%7s %8s %8s %8s   of one thread's\n", "threads", "user s",
+              "caller s", "wall s");
+  for (std::size_t i = 0; i < kThreads.size(); ++i) {
+    std::printf("%7u", kThreads[i]);
+    for (const auto column : {&Times::user, &Times::caller, &Times::wall})
+      std::printf(" %8.3f", median(runs[i], column));
+    for (const auto column : {&Times::user, &Times::caller, &Times::wall})
+      std::printf(" %5.2f", median(runs[i], column) / median(runs[0], column));
+    std::printf("\n");
+  }
 }
 
 }  // namespace
