@@ -4,6 +4,7 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <random>
 #include <set>
 #include <span>
 #include <stdexcept>
@@ -155,8 +156,10 @@ std::vector<CanonicalCell> canonical(std::span<const Cell> cells) {
 }
 
 /// Threads on rounds far below what is worth it: seams everywhere.
+constexpr std::size_t kCrowded = 8;
+
 InsertionOptions crowd(unsigned threads) {
-  return {.threads = threads, .min_vertices = 8};
+  return {.threads = threads, .min_vertices = kCrowded};
 }
 
 LazyVector<Cell> insert_again(const Triangulation3& t, Mesh3& mesh,
@@ -173,31 +176,64 @@ LazyVector<Cell> insert_again(const Triangulation3& t,
   return insert_again(t, mesh, options);
 }
 
-testing::Message trace(Family family, unsigned threads) {
-  return testing::Message()
-         << tests::name(family) << ", " << threads << " threads";
+/// @param min_vertices  of a round for each thread
+void expect_same_for_any_number_of_threads(const Triangulation3& t,
+                                           std::size_t min_vertices) {
+  if (t.dimension() < 3) return;
+  const auto expected = canonical(t.cells());
+  for (const unsigned threads : {1U, 2U, 3U, 4U, 8U}) {
+    SCOPED_TRACE(testing::Message() << threads << " threads");
+    const InsertionOptions options = {.threads = threads,
+                                      .min_vertices = min_vertices};
+    EXPECT_TRUE(canonical(insert_again(t, options)) == expected);
+  }
 }
 
-void expect_same_for_any_number_of_threads(std::size_t n) {
+void expect_same_for_all_families(std::size_t n, std::size_t min_vertices) {
+  // Exact tests on the widest exponents take milliseconds a point.
+  constexpr std::size_t kMaxMixed = 60;
   for (const Family family : kFamilies) {
+    SCOPED_TRACE(testing::Message() << tests::name(family) << ", n = " << n);
     const std::size_t size =
-        family == Family::MixedExponents ? std::min<std::size_t>(n, 60) : n;
-    const Triangulation3 t(make_points<3>(family, size, n));
-    if (t.dimension() < 3) continue;
-    const auto expected = canonical(t.cells());
-    for (const unsigned threads : {2U, 3U, 4U, 8U}) {
-      SCOPED_TRACE(trace(family, threads));
-      EXPECT_TRUE(canonical(insert_again(t, crowd(threads))) == expected);
-    }
+        family == Family::MixedExponents ? std::min(n, kMaxMixed) : n;
+    expect_same_for_any_number_of_threads(
+        Triangulation3(make_points<3>(family, size, n)), min_vertices);
   }
 }
 
 TEST(ParallelInsertion, MakesTheSameCellsOnAnyNumberOfThreads) {
-  expect_same_for_any_number_of_threads(300);
+  expect_same_for_all_families(300, kCrowded);
+}
+
+// A part may hold one vertex, and most cells lie on seams.
+TEST(ParallelInsertion, MakesTheSameCellsOfFewPoints) {
+  for (const std::size_t n : {5, 12, 30, 90})
+    expect_same_for_all_families(n, 1);
+}
+
+// An insertion meets most of the cells there are: no part owns its cavity.
+TEST(ParallelInsertion, MakesTheSameCellsWhereCavitiesAreLarge) {
+  std::mt19937_64 rng(7);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  std::vector<Point3> skew_lines, moment_curve, nearly_collinear;
+  for (int i = 0; i < 150; ++i) {
+    const double t = unit(rng);
+    skew_lines.emplace_back(t, 0, 0);
+    skew_lines.emplace_back(0, t, 1);
+    moment_curve.emplace_back(t, t * t, t * t * t);
+    const double off = 0x1p-50 * unit(rng);
+    nearly_collinear.emplace_back(t + off, 2 * t, 3 * t - off);
+  }
+  for (const auto& points : {skew_lines, moment_curve, nearly_collinear}) {
+    const Triangulation3 t(points);
+    ASSERT_EQ(t.dimension(), 3);
+    expect_same_for_any_number_of_threads(t, 1);
+    expect_same_for_any_number_of_threads(t, kCrowded);
+  }
 }
 
 TEST(SlowParallelInsertion, MakesTheSameCellsOnAnyNumberOfThreads) {
-  expect_same_for_any_number_of_threads(20000);
+  expect_same_for_all_families(20000, kCrowded);
 }
 
 // Where neither the numbers of cells nor the roundings may differ.

@@ -247,6 +247,33 @@ void refine_ties(std::span<const Point<kDim>> points, std::span<Keyed> range,
   }
 }
 
+/// Points and vertices of the rows in this order. What looks up rows all over
+/// memory is done in pieces; between, equal points are counted in one sweep.
+template <int kDim>
+void gather(std::span<const Point<kDim>> points, std::span<Keyed> sorted,
+            unsigned threads, SpatialOrder<kDim>& result) {
+  const std::size_t n = sorted.size();
+  result.points.resize(n);
+  for_pieces(n, threads, [&](std::size_t i, std::size_t end) {
+    for (; i < end; ++i)  // -0 + 0 = 0
+      result.points[i] = points[sorted[i].row] + Point<kDim>::Zero();
+  });
+  std::size_t n_distinct = 1;
+  sorted[0].key = 0;
+  for (std::size_t i = 1; i < n; ++i) {
+    if (result.points[i] != result.points[n_distinct - 1])
+      result.points[n_distinct++] = result.points[i];
+    sorted[i].key = n_distinct - 1;
+  }
+  result.points.resize(n_distinct);
+  result.vertex_of_row.resize(n);
+  for_pieces(n, threads, [&](std::size_t i, std::size_t end) {
+    for (; i < end; ++i)
+      result.vertex_of_row[sorted[i].row] =
+          VertexId{static_cast<std::uint32_t>(sorted[i].key)};
+  });
+}
+
 template <int kDim>
 SpatialOrder<kDim> order(std::span<const Point<kDim>> points,
                          unsigned threads) {
@@ -265,15 +292,7 @@ SpatialOrder<kDim> order(std::span<const Point<kDim>> points,
     refine_ties<kDim>(points, range, pending);
   }
 
-  result.points.reserve(points.size());
-  result.vertex_of_row.resize(points.size());
-  for (const Keyed& k : keyed) {
-    const Point<kDim>& p = points[k.row];
-    if (result.points.empty() || result.points.back() != p)
-      result.points.push_back(p + Point<kDim>::Zero());  // -0 + 0 = 0
-    result.vertex_of_row[k.row] =
-        VertexId{static_cast<std::uint32_t>(result.points.size() - 1)};
-  }
+  gather(points, keyed, threads, result);
   return result;
 }
 

@@ -277,30 +277,33 @@ void Builder::add_cell(const Corner& a, const Edge& edge) {
 void Builder::dig(const Root& root) {
   const auto born = static_cast<std::uint32_t>(cells_.size());
   cells_.resize(cells_.size() + 2);
-  free_.assign({CellId{born + 1}, CellId{born}, root.cell});
+  free_.clear();
+  for (const CellId id : {CellId{born + 1}, CellId{born}, root.cell})
+    free_.push_back(id);
   is_first_ = true;
 
   const auto& outside = cell(root.cell).neighbor;
-  edges_.assign({{root.a, outside[kPrevious[root.apex]]},
-                 {root.d, outside[kNext[root.apex]]},
-                 {root.b, outside[root.apex]}});
+  edges_.clear();
+  edges_.push_back({root.a, outside[kPrevious[root.apex]]});
+  edges_.push_back({root.d, outside[kNext[root.apex]]});
+  edges_.push_back({root.b, outside[root.apex]});
   Corner a = root.a;
   while (!edges_.empty()) {
-    const Edge edge = edges_.back();
-    edges_.pop_back();
+    Edge& edge = edges_.back();
     const CellId id = edge.outside.cell();
     const unsigned i = edge.outside.index();
     const Cell2& beyond = cell(id);
     const Corner d = corner(beyond.vertex[i]);
     const bool dies =
         beyond.is_infinite() ? beyond_hull(beyond) : in_circle(edge.b, a, d);
-    if (dies) {
-      edges_.push_back({edge.b, beyond.neighbor[kPrevious[i]]});
+    if (dies) {  // its two other edges take the place of this one
+      edge.outside = beyond.neighbor[kPrevious[i]];
       edges_.push_back({d, beyond.neighbor[kNext[i]]});
       free_.push_back(id);
     } else {
       add_cell(a, edge);
       a = edge.b;
+      edges_.pop_back();
     }
   }
   link(first_, previous_);
