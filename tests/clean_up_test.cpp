@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tests/support/complexes.h"
+#include "umbrella/filter.h"
 
 namespace umbrella {
 namespace {
@@ -105,6 +106,24 @@ TEST(CleanUp, LeavesOneUmbrellaOrNone) {
                 bare.count(tests::vertex(i)) == 0);
       EXPECT_EQ(tests::has_cycle(link), bare.count(tests::vertex(i)) == 0);
     }
+  }
+}
+
+TEST(CleanUp, NeedsNoLookAtSettledVertices) {
+  for (std::uint64_t trial = 0; trial < 60; ++trial) {
+    SCOPED_TRACE(testing::Message() << "trial " << trial);
+    const double density = 0.05 + 0.01 * static_cast<double>(trial);
+    const auto filtered = umbrella_filter(
+        kVertices, tests::random_complex(kVertices, density, trial));
+    const CleanUpOptions options = {.largest_dissolved = trial % 8};
+    const auto all = clean_up(kVertices, filtered.triangles, options);
+    const auto told =
+        clean_up(kVertices, filtered.triangles, options, filtered.unsettled);
+    EXPECT_EQ(corners_of(told.triangles), corners_of(all.triangles));
+    EXPECT_EQ(corners_of(told.deleted), corners_of(all.deleted));
+    EXPECT_EQ(told.without_umbrella, all.without_umbrella);
+    EXPECT_EQ(told.n_type2, all.n_type2);
+    EXPECT_EQ(told.n_type3, all.n_type3);
   }
 }
 

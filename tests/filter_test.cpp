@@ -71,6 +71,22 @@ TEST(UmbrellaFilter, TakesTheFirstUmbrellaOfEachVertex) {
   }
 }
 
+TEST(UmbrellaFilter, NamesTheVerticesThatAreNotSettled) {
+  for (std::uint64_t trial = 0; trial < 60; ++trial) {
+    SCOPED_TRACE(testing::Message() << "trial " << trial);
+    const double density = 0.05 + 0.01 * static_cast<double>(trial);
+    const auto result = umbrella_filter(
+        kVertices, tests::random_complex(kVertices, density, trial));
+    std::vector<VertexId> expected;
+    for (std::size_t i = 0; i < kVertices; ++i)
+      if (!tests::is_simple_cycle(
+              tests::link(result.triangles, tests::vertex(i))))
+        expected.push_back(tests::vertex(i));
+    ASSERT_TRUE(result.unsettled.has_value());
+    EXPECT_EQ(*result.unsettled, expected);
+  }
+}
+
 TEST(UmbrellaFilter, DoesNotDependOnTheOrderOfTheTriangles) {
   std::mt19937_64 rng(3);
   for (std::uint64_t trial = 0; trial < 50; ++trial) {

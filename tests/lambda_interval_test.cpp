@@ -203,6 +203,76 @@ TEST(LambdaIntervals, HoldTheEmptyBallsOfDefinition2Point1) {
   }
 }
 
+/// Moved, mirrored along some axes, with the first three in another order.
+std::array<Point3, 4> random_copy(std::array<Point3, 4> p,
+                                  std::mt19937_64& rng) {
+  std::shuffle(p.begin(), p.begin() + 3, rng);
+  Point3 sign, offset;
+  for (unsigned i = 0; i < 3; ++i) {
+    sign[i] = rng() % 2 == 0 ? 1 : -1;
+    offset[i] = static_cast<double>(rng() % 1000);
+  }
+  for (Point3& x : p) x = x.cwiseProduct(sign) + offset;
+  return p;
+}
+
+Rational squared_lambda(const std::array<Point3, 4>& p) {
+  return tests::squared_circle_radius({p[0], p[1], p[2]}) /
+         tests::squared_sphere_radius(p);
+}
+
+void expect_order_of_rationals(const std::array<Point3, 4>& p,
+                               const std::array<Point3, 4>& q, int& n_equal) {
+  if (is_flat(p) || is_flat(q)) return;
+  const int expected = squared_lambda(p).compare(squared_lambda(q));
+  EXPECT_EQ(compare(squared_lambda_ratio(p), squared_lambda_ratio(q)),
+            expected < 0 ? -1 : (expected > 0 ? 1 : 0));
+  n_equal += expected == 0 ? 1 : 0;
+}
+
+// The apex of the copy is another point of the sphere, or one beside it.
+TEST(ExactRatio, OrdersCopiesOfATriangleAsRationalsDo) {
+  std::mt19937_64 rng(23);
+  const auto on_sphere = [&rng] {
+    std::array<double, 3> x = {9, 23, 41};
+    std::shuffle(x.begin(), x.end(), rng);
+    for (double& c : x) c = rng() % 2 == 0 ? c : -c;
+    return Point3(x[0], x[1], x[2]);
+  };
+  int n_equal = 0;
+  constexpr int kTrials = 1000;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    SCOPED_TRACE(testing::Message() << "trial " << trial);
+    std::array<Point3, 4> p;
+    for (Point3& x : p) x = on_sphere();
+    if (p[0] == p[1] || p[1] == p[2] || p[2] == p[0]) continue;
+    std::array<Point3, 4> q = p;
+    q[3] = on_sphere();
+    if (trial % 4 == 0) q[3][trial % 3] += 2;
+    expect_order_of_rationals(p, random_copy(q, rng), n_equal);
+  }
+  EXPECT_GT(n_equal, kTrials / 3);
+}
+
+// So flat that pairs of doubles do not tell the two apart.
+TEST(ExactRatio, OrdersCopiesOfSliversAsRationalsDo) {
+  std::mt19937_64 rng(29);
+  const auto whole = [&rng] {
+    return static_cast<double>(rng() % (std::uint64_t{1} << 40U));
+  };
+  int n_equal = 0;
+  for (int trial = 0; trial < 300; ++trial) {
+    SCOPED_TRACE(testing::Message() << "trial " << trial);
+    std::array<Point3, 4> p;
+    for (Point3& x : p) x = Point3{whole(), whole(), 0};
+    p[3][2] = 1;
+    std::array<Point3, 4> q = p;
+    if (trial % 2 == 0) q[3][trial % 3] += trial % 3 == 2 ? -2 : 1;
+    expect_order_of_rationals(p, random_copy(q, rng), n_equal);
+  }
+  EXPECT_GT(n_equal, 100);
+}
+
 TEST(Circumspheres, AnswerAsTheExactOnesDo) {
   for (const Family family : tests::kFamilies)
     for (std::uint64_t trial = 0; trial < 2; ++trial) {

@@ -178,9 +178,9 @@ double refined(const std::array<Point3, kPoints>& corners, double scale) {
 }  // namespace
 
 double power_of_two_scale(std::span<const Point3> points) {
-  double largest = 0;
-  for (const Point3& p : points)
-    largest = std::max(largest, p.cwiseAbs().maxCoeff());
+  Point3 extent = Point3::Zero();
+  for (const Point3& p : points) extent = extent.cwiseMax(p.cwiseAbs());
+  const double largest = extent.maxCoeff();
   if (largest == 0) return 1;
   return std::ldexp(1, std::clamp(-std::ilogb(largest), -1022, 1022));
 }

@@ -100,8 +100,12 @@ std::vector<RankedTriangle> admitted(
     spheres.measure(block.first(n), std::span(radii).first(n));
     for (std::size_t i = 0; i < n; ++i) {
       const DelaunayTriangle t(triangulation, spheres, block[i], &radii[i]);
-      triangles.push_back(
-          {t.corners(), block[i], criterion.rank(t), t.squared_lambda_lower()});
+      // In place: a whole one, copied, waits for its parts to be written.
+      RankedTriangle& ranked = triangles.emplace_back();
+      ranked.corners = t.corners();
+      ranked.facet = block[i];
+      ranked.rank = criterion.rank(t);
+      ranked.squared_lambda = t.squared_lambda_lower();
     }
   }
   return triangles;

@@ -14,8 +14,9 @@ using delaunay::CellId;
 using delaunay::Facet;
 using delaunay::kFacetCorners;
 
+// Marks of vertices: sums of them over three corners count both.
 constexpr std::uint8_t kInRegion = 1;
-constexpr std::uint8_t kStuck = 2;
+constexpr std::uint8_t kStuck = 4;
 
 }  // namespace
 
@@ -123,7 +124,9 @@ void CellSet::enter_neighbors(const Cell& cell) {
 }
 
 Neighborhoods::Neighborhoods(const delaunay::Triangulation3& triangulation)
-    : cells_(triangulation), mark_(triangulation.points().size()) {}
+    : triangulation_(triangulation),
+      cells_(triangulation),
+      mark_(triangulation.points().size()) {}
 
 std::vector<LocatedTriangle> Neighborhoods::candidates(const Region& region) {
   for (const VertexId v : region.vertices) mark_[index(v)] |= kInRegion;
@@ -131,23 +134,23 @@ std::vector<LocatedTriangle> Neighborhoods::candidates(const Region& region) {
   cells_.collect(united(region.vertices, region.stuck));
 
   std::vector<LocatedTriangle> result;
-  for (std::uint32_t p = 0; p < cells_.cells().size(); ++p)
+  for (const CellId c : cells_.cells()) {
+    const Cell& cell = triangulation_.cell(c);
+    std::array<unsigned, 4> mark;  // of corners
+    unsigned sum = 0;
+    for (unsigned k = 0; k < 4; ++k)
+      sum += mark[k] = mark_[index(cell.vertex[k])];
     for (unsigned i = 0; i < 4; ++i) {
-      const CellId c = cells_.cells()[p];
-      const Cell& cell = cells_.cell(p);
-      Triangle t;
-      unsigned inside = 0, stuck = 0;
-      for (unsigned k = 0; k < 3; ++k) {
-        t[k] = cell.vertex[kFacetCorners[i][k]];
-        inside += mark_[index(t[k])] & kInRegion;
-        stuck += (mark_[index(t[k])] & kStuck) != 0 ? 1 : 0;
-      }
-      if (inside < 3 && stuck < region.reach) continue;
+      const unsigned marks = sum - mark[i];
+      if (marks % kStuck < 3 && marks / kStuck < region.reach) continue;
       // A candidate has a corner here, so both its cells were collected.
       if (cell.neighbor[i].cell() < c) continue;
+      Triangle t;
+      for (unsigned k = 0; k < 3; ++k) t[k] = cell.vertex[kFacetCorners[i][k]];
       std::sort(t.begin(), t.end());
       result.push_back({t, Facet(c, i)});
     }
+  }
   std::sort(result.begin(), result.end(),
             [](const LocatedTriangle& a, const LocatedTriangle& b) {
               return a.corners < b.corners;

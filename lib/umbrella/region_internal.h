@@ -87,6 +87,7 @@ class Neighborhoods {
   std::vector<VertexId> ring(std::span<const VertexId> vertices);
 
  private:
+  const delaunay::Triangulation3& triangulation_;
   CellSet cells_;
   std::vector<std::uint8_t> mark_;  // of vertices, zero between calls
 };

@@ -2,7 +2,8 @@
 
 #include <array>
 #include <cstdint>
-#include <utility>
+#include <limits>
+#include <numeric>
 
 #include "umbrella/circumradius_internal.h"
 #include "umbrella/incidence_internal.h"
@@ -21,22 +22,26 @@ class Edges {
  public:
   Edges(std::size_t n_vertices, std::span<const Triangle> triangles)
       : next_(3 * triangles.size()) {
-    for (Side s = 0; s < next_.size(); ++s) next_[s] = s;
-    const std::vector<Upward> upward = by_low_end(n_vertices, triangles);
+    std::iota(next_.begin(), next_.end(), Side{0});
+    std::vector<std::uint32_t> first;  // of the edges up from a vertex
+    const std::vector<Upward> upward = by_low_end(n_vertices, triangles, first);
     // At a low end, the last side met towards each high one. A side met first
     // is put after itself, for whether it is, no processor can guess.
     struct Met {
-      VertexId low;
+      std::uint32_t low;
       Side side;
     };
-    std::vector<Met> met(n_vertices, {delaunay::kInfinite, 0});
-    for (const auto& [low, high, side] : upward) {
-      Met& last = met[index(high)];
-      const Side before = last.low == low ? last.side : side;
-      next_[side] = next_[before];
-      next_[before] = side;
-      last = {low, side};
-    }
+    constexpr auto kNone = std::numeric_limits<std::uint32_t>::max();
+    std::vector<Met> met(n_vertices, {kNone, 0});
+    for (std::uint32_t low = 0; low < n_vertices; ++low)
+      for (std::uint32_t i = first[low]; i < first[low + 1]; ++i) {
+        const auto [high, side] = upward[i];
+        Met& last = met[index(high)];
+        const Side before = last.low == low ? last.side : side;
+        next_[side] = next_[before];
+        next_[before] = side;
+        last = {low, side};
+      }
   }
 
   /// Calls visit(Side) for each other side on the same edge. @return how many
@@ -50,13 +55,15 @@ class Edges {
 
  private:
   struct Upward {
-    VertexId low, high;
+    VertexId high;
     Side side;
   };
 
+  /// @param first  where those of a vertex begin, and the end
   static std::vector<Upward> by_low_end(std::size_t n_vertices,
-                                        std::span<const Triangle> triangles) {
-    std::vector<std::uint32_t> first(n_vertices + 1);
+                                        std::span<const Triangle> triangles,
+                                        std::vector<std::uint32_t>& first) {
+    first.assign(n_vertices + 1, 0);
     for (const Triangle& t : triangles) {
       first[index(t[0])] += 2;
       first[index(t[1])] += 1;
@@ -64,10 +71,11 @@ class Edges {
     for (std::uint32_t v = 0, sum = 0; v <= n_vertices; ++v)
       first[v] = sum += first[v];
     std::vector<Upward> result(3 * triangles.size());
-    for (Side s = static_cast<Side>(result.size()); s-- > 0;) {
-      const Triangle& t = triangles[s / 3];
-      const VertexId low = t[s % 3 == 0 ? 1 : 0], high = t[s % 3 == 2 ? 1 : 2];
-      result[--first[index(low)]] = {low, high, s};
+    for (auto t = static_cast<TriangleIndex>(triangles.size()); t-- > 0;) {
+      const auto& [a, b, c] = triangles[t];
+      result[--first[index(a)]] = {b, 3 * t + 2};
+      result[--first[index(a)]] = {c, 3 * t + 1};
+      result[--first[index(b)]] = {c, 3 * t};
     }
     return result;
   }
@@ -101,10 +109,11 @@ class Orientation {
       ++result.n_components;
       spread(t, result.is_closed);
     }
+    result.triangles.reserve(triangles_.size());
     for (TriangleIndex t = 0; t < triangles_.size(); ++t) {
-      result.triangles.push_back(triangles_[t]);
-      if (turned_[t] == 1)
-        std::swap(result.triangles[t][1], result.triangles[t][2]);
+      const auto& [a, b, c] = triangles_[t];
+      const bool is_turned = turned_[t] == 1;
+      result.triangles.push_back({a, is_turned ? c : b, is_turned ? b : c});
     }
     return result;
   }

@@ -38,26 +38,26 @@ class WorkingSurface {
   const LocatedTriangle& triangle(TriangleIndex t) const {
     return triangles_[t];
   }
-  bool contains(TriangleIndex t) const { return is_there_[t]; }
+  bool contains(TriangleIndex t) const { return is_there_[t] != 0; }
 
   void add(const LocatedTriangle& triangle) {
     const auto t = static_cast<TriangleIndex>(triangles_.size());
     triangles_.push_back(triangle);
-    is_there_.push_back(true);
+    is_there_.push_back(1);
     for (std::uint32_t i = 0; i < 3; ++i) {
       std::uint32_t& head = head_[index(triangle.corners[i])];
       next_.push_back(head);
       head = 3 * t + i;
     }
   }
-  void remove(TriangleIndex t) { is_there_[t] = false; }
+  void remove(TriangleIndex t) { is_there_[t] = 0; }
 
   /// Calls visit(TriangleIndex) for each triangle at v, in an order that
   /// depends on the calls made so far.
   template <class Visit>
   void for_each_at(VertexId v, Visit visit) const {
     for (std::uint32_t i = head_[index(v)]; i != kEnd; i = next_[i])
-      if (is_there_[i / 3]) visit(TriangleIndex{i / 3});
+      if (contains(i / 3)) visit(TriangleIndex{i / 3});
   }
 
   /// All triangles, by ascending corners.
@@ -67,13 +67,13 @@ class WorkingSurface {
     };
     std::vector<LocatedTriangle> added;
     for (std::size_t t = n_given_; t < triangles_.size(); ++t)
-      if (is_there_[t]) added.push_back(triangles_[t]);
+      if (is_there_[t] != 0) added.push_back(triangles_[t]);
     std::sort(added.begin(), added.end(), before);
     std::vector<LocatedTriangle> result;
     result.reserve(triangles_.size());
     auto next = added.cbegin();
     for (std::size_t t = 0; t < n_given_; ++t) {
-      if (!is_there_[t]) continue;
+      if (is_there_[t] == 0) continue;
       while (next != added.end() && before(*next, triangles_[t]))
         result.push_back(*next++);
       result.push_back(triangles_[t]);
@@ -88,7 +88,7 @@ class WorkingSurface {
 
   std::size_t n_given_ = 0;
   std::vector<LocatedTriangle> triangles_;
-  std::vector<bool> is_there_;
+  std::vector<std::uint8_t> is_there_;
   std::vector<std::uint32_t> head_;  // 3 t + i: corner i of triangle t
   std::vector<std::uint32_t> next_;  // of 3 t + i
 };
