@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "apps/command.h"
+#include "apps/interrupt.h"
 #include "apps/option_checks.h"
 #include "apps/paths.h"
 #include "ilp/formats.h"
@@ -95,16 +96,19 @@ std::vector<ilp::VarId> order_of(const std::vector<ilp::Term>& objective) {
   return order;
 }
 
-// Without an objective the first model will do.
+// Without an objective the first model will do. Ctrl-C is a limit.
 ilp::Minimum search(const Options& options, const ilp::Program& program,
                     ilp::Solver& solver) {
+  const terminal::Interrupt interrupt;
+  ilp::Limits limits = options.limits;
+  limits.stop = &terminal::Interrupt::flag();
   if (!program.has_objective) {
-    const Status status = solver.solve({}, options.limits);
+    const Status status = solver.solve({}, limits);
     if (status != Status::Feasible) return {status, {}, 0};
     return {status, solver.model(), 0};
   }
   solver.set_priority(order_of(program.objective));
-  return minimize_sum(solver, program.objective, options.limits,
+  return minimize_sum(solver, program.objective, limits,
                       [&program](const ilp::Model&, std::int64_t sum) {
                         std::cout << "o " << sum + program.offset << std::endl;
                       });
@@ -183,8 +187,8 @@ ExitCode run(const Options& options) {
 
 constexpr const char* kFooter =
     R"(Prints the lines of the pseudo-Boolean competitions: c a comment, o the sum of
-a better model, s the answer, v the model. Exit code 0: answered; 3: a limit
-came first, or the log does not verify.
+a better model, s the answer, v the model. Exit code 0: answered; 3: a limit or
+Ctrl-C came first, or the log does not verify.
 
 Examples:
   umbrella solve program.opb --proof program.log

@@ -251,6 +251,46 @@ TEST(CheckSurface, CountsVerticesAsTheDefinitionsSay) {
   EXPECT_GT(n_sound_in_all, 1000U);
 }
 
+/// Each triangle on five vertices is there, or there the other way round, or
+/// not: meshes 0 to 3^10 - 1.
+std::vector<IndexedTriangle> small_mesh(std::uint32_t number) {
+  std::vector<IndexedTriangle> triangles;
+  for (std::uint32_t a = 0; a < 5; ++a)
+    for (std::uint32_t b = a + 1; b < 5; ++b)
+      for (std::uint32_t c = b + 1; c < 5; ++c) {
+        if (number % 3 == 1) triangles.push_back({a, b, c});
+        if (number % 3 == 2) triangles.push_back({a, c, b});
+        number /= 3;
+      }
+  return triangles;
+}
+
+/// A loose triangle makes the quick walk around all vertices fail, so that all
+/// is counted in full; both must say the same of the rest.
+TEST(CheckSurface, SaysTheSameQuicklyAndInFull) {
+  std::vector<Eigen::Vector3d> vertices;
+  for (int i = 0; i < 8; ++i) vertices.emplace_back(i, i * i, i * i * i);
+  constexpr std::uint32_t kMeshes = 59'049;
+  int n_quick = 0;
+  for (std::uint32_t number = 1; number < kMeshes; ++number) {
+    std::vector<IndexedTriangle> triangles = small_mesh(number);
+    const SurfaceReport alone = check_surface(vertices, triangles);
+    triangles.push_back({5, 6, 7});
+    const SurfaceReport with = check_surface(vertices, triangles);
+    const bool is_same =
+        alone.boundary_edges + 3 == with.boundary_edges &&
+        alone.nonmanifold_edges == with.nonmanifold_edges &&
+        alone.nonmanifold_vertices == with.nonmanifold_vertices &&
+        alone.manifold == with.manifold && alone.oriented == with.oriented &&
+        alone.orientable == with.orientable && alone.euler + 1 == with.euler &&
+        alone.components + 1 == with.components;
+    ASSERT_TRUE(is_same) << "mesh " << number;
+    n_quick += alone.closed && alone.manifold && alone.oriented ? 1 : 0;
+  }
+  // Five tetrahedra and ten double ones, two ways round.
+  EXPECT_EQ(n_quick, 30);
+}
+
 TEST(CheckSurface, KnowsTheEmptyMesh) {
   const SurfaceReport report = check({{{0, 0, 0}}, {}});
   EXPECT_EQ(report.vertices, 0U);

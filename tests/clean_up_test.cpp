@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tests/support/complexes.h"
+#include "umbrella/cycle_check_internal.h"
 #include "umbrella/filter.h"
 
 namespace umbrella {
@@ -76,6 +77,29 @@ Complex cleaned_by_the_book(Complex triangles) {
                                    type3.begin(), type3.end(), ranks_before)}
                              : type2);
   }
+}
+
+// All graphs on five nodes, one after the other in the same check.
+TEST(CycleCheck, KnowsTheSimpleCycles) {
+  LinkEdges edges;
+  for (std::size_t a = 0; a < 5; ++a)
+    for (std::size_t b = a + 1; b < 5; ++b)
+      edges.emplace_back(tests::vertex(a), tests::vertex(b));
+  CycleCheck check(5);
+  int n_cycles = 0;
+  for (unsigned graph = 1; graph < 1U << edges.size(); ++graph) {
+    LinkEdges in_graph;
+    check.clear();
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+      if ((graph >> e & 1U) == 0) continue;
+      in_graph.push_back(edges[e]);
+      check.add({edges[e].first, edges[e].second});
+    }
+    EXPECT_EQ(check.is_cycle(), tests::is_simple_cycle(in_graph))
+        << "graph " << graph;
+    n_cycles += check.is_cycle() ? 1 : 0;
+  }
+  EXPECT_EQ(n_cycles, 10 + 15 + 12);  // of three, four and five nodes
 }
 
 TEST(CleanUp, DeletesWhatTheBookSays) {

@@ -90,7 +90,8 @@ TEST(ClosingPrograms, GiveTheSameSurfaceWithoutTheShortSearch) {
   };
   for (const auto& [name, n_points, noise] :
        {Sample{"torus", 500, 1}, Sample{"sphere", 400, 1},
-        Sample{"two-sheets", 600, 0.5}, Sample{"uniform", 100, 0}}) {
+        Sample{"two-sheets", 600, 0.5}, Sample{"uniform", 100, 0},
+        Sample{"sphere", 2000, 0.7}, Sample{"bumpy", 2500, 0.7}}) {
     SCOPED_TRACE(name);
     const auto points = shapes::sample(name, n_points, {.noise = noise});
     ReconstructOptions options;

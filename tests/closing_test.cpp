@@ -225,6 +225,12 @@ TEST(CloseHoles, AllowsASmallPieceWhereThereIsNoOther) {
   EXPECT_EQ(result.report.grown, result.report.regions);
   EXPECT_EQ(result.report.labelled, 0U);
   EXPECT_TRUE(result.dropped.empty());
+  // Small is what has at most so many triangles.
+  for (const std::size_t most : {7, 8}) {
+    const ClosingReport report =
+        input.close({.piece_triangles = most, .piece_part = 0}).report;
+    EXPECT_EQ(report.grown, most < 8 ? 0 : report.regions);
+  }
 }
 
 TEST(CloseHoles, LeavesAClosedSurfaceAlone) {

@@ -51,6 +51,16 @@ TEST(FindHoles, StepsOnceOverDeletedTriangles) {
   EXPECT_EQ(holes[0].vertices, ids({0, 1, 2}));  // not on to 3 and 4
 }
 
+// Two triangles close the edge between two vertices: it joins no holes.
+TEST(FindHoles, AreNotJoinedByClosedEdges) {
+  const std::vector<RankedTriangle> triangles = {ranked(0, 1, 2, 1),
+                                                 ranked(0, 1, 3, 1)};
+  const auto holes = find_holes(4, triangles, {}, ids({0, 1}));
+  ASSERT_EQ(holes.size(), 2U);
+  EXPECT_EQ(holes[0].core, ids({0}));
+  EXPECT_EQ(holes[1].core, ids({1}));
+}
+
 // The edges with exactly one triangle, both ends without umbrella.
 tests::LinkEdges open_edges(const CleanUpResult& clean,
                             const std::set<VertexId>& bare) {

@@ -61,6 +61,26 @@ TEST(MinimizeWorstFirst, FindsTheLeastModelOfEnumeration) {
   }
 }
 
+// Each way by a solver that has learned nothing by another.
+TEST(MinimizeWorstFirst, FindsTheLeastModelByEachWayAlone) {
+  std::mt19937_64 rng(20261123);
+  for (int trial = 0; trial < 20; ++trial) {
+    SCOPED_TRACE(testing::Message() << "trial " << trial);
+    const Problem problem = support::torus_hole(5, 6, rng());
+    const auto order = support::random_order(rng, problem.n_variables());
+    std::vector<Improvement> found;
+    for (const std::uint64_t in_order : kInOrder) {
+      Solver solver(problem);
+      support::CheckedLog checked(problem);
+      solver.set_log(checked.log());
+      found.push_back(minimize_worst_first(solver, order, {}, in_order));
+      ASSERT_EQ(found.back().status, Status::Optimal);
+      EXPECT_EQ(found.back().model, found.front().model);
+      expect_proof(checked, found.back(), order);
+    }
+  }
+}
+
 TEST(MinimizeWorstFirst, FindsTheLeastModelAfterEachCut) {
   std::mt19937_64 rng(5);
   for (int trial = 0; trial < 200; ++trial) {

@@ -102,6 +102,21 @@ TEST(SlowSolver, AgreesWithEnumerationOnLargerPrograms) {
   }
 }
 
+// After 32 conflicts, 64 and 128 [Luby93]; the next decision restarts.
+TEST(Solver, RestartsAsOftenAsItShould) {
+  const Problem problem = support::torus_hole(9, 20, 1);
+  std::mt19937_64 rng(4);
+  const auto order = support::random_order(rng, problem.n_variables());
+  for (const auto& [conflicts, restarts] :
+       {std::pair{31U, 0U}, std::pair{60U, 1U}, std::pair{120U, 2U}}) {
+    Solver solver(problem);
+    solver.set_priority(order);
+    ASSERT_EQ(solver.solve({}, {.conflicts = conflicts}), Status::Limit);
+    EXPECT_EQ(solver.statistics().conflicts, conflicts);
+    EXPECT_EQ(solver.statistics().restarts, restarts);
+  }
+}
+
 // A hole whose own triangles close it; the extra ones only mislead.
 TEST(Solver, ClosesHolesOfATorus) {
   for (std::uint64_t seed = 0; seed < 30; ++seed) {

@@ -6,12 +6,16 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <random>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "command_path.h"
 #include "tests/support/temporary_folder.h"
@@ -33,16 +37,19 @@ bool catches_interrupts(pid_t process) {
   return false;
 }
 
-// `umbrella reconstruct`, whose output goes nowhere.
-pid_t start_reconstruct(const std::string& in, const std::string& out,
-                        const std::string& report) {
+// `umbrella ARGUMENTS`, whose standard output is a file.
+pid_t start(std::vector<std::string> arguments, const std::string& out) {
+  std::vector<char*> words = {nullptr};
+  arguments.insert(arguments.begin(), kCommandPath);
+  for (std::string& word : arguments)
+    words.insert(words.end() - 1, word.data());
   const pid_t child = fork();
   if (child != 0) return child;
   signal(SIGINT, SIG_DFL);
   const int nowhere = open("/dev/null", O_RDWR | O_CLOEXEC);
-  for (const int stream : {0, 1, 2}) dup2(nowhere, stream);
-  execl(kCommandPath, kCommandPath, "reconstruct", in.c_str(), "-o",
-        out.c_str(), "--report", report.c_str(), nullptr);
+  for (const int stream : {0, 2}) dup2(nowhere, stream);
+  dup2(open(out.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, S_IRUSR | S_IWUSR), 1);
+  execv(kCommandPath, words.data());
   _exit(127);
 }
 
@@ -61,8 +68,10 @@ TEST(Interrupt, WritesTheBestSurfaceSoFar) {
   generate += " generate sphere -n 10000 --noise 1 -o " + points;
   ASSERT_EQ(std::system(generate.c_str()), 0);
 
-  const pid_t process = start_reconstruct(points, folder.path("mesh.ply"),
-                                          folder.path("report.json"));
+  const pid_t process =
+      start({"reconstruct", points, "-o", folder.path("mesh.ply"), "--report",
+             folder.path("report.json")},
+            folder.path("out"));
   int n_looks = 0;
   while (!catches_interrupts(process) &&
          waitpid(process, nullptr, WNOHANG) == 0 && ++n_looks < 100'000)
@@ -74,6 +83,45 @@ TEST(Interrupt, WritesTheBestSurfaceSoFar) {
   EXPECT_GT(report["closing"]["undecided"], 0);
   EXPECT_GT(report["surface"]["triangles"], 0);
   EXPECT_FALSE(folder.content("mesh.ply").empty());
+}
+
+// The least number of variables that meet many random threesomes: a model is
+// found at once, and no search of today proves it the least.
+std::string hard_program() {
+  std::mt19937_64 rng(1);
+  std::string text = "min:";
+  const auto variable = [](std::uint64_t v) {
+    return " +1 x" + std::to_string(v + 1);
+  };
+  for (std::uint64_t v = 0; v < 300; ++v) text += variable(v);
+  text += " ;\n";
+  for (int i = 0; i < 1500; ++i) {
+    const std::uint64_t v = rng() % 100;
+    text += variable(v) + variable(100 + rng() % 100) +
+            variable(200 + rng() % 100) + " >= 1 ;\n";
+  }
+  return text;
+}
+
+TEST(Interrupt, PrintsTheBestModelSoFar) {
+  const support::TemporaryFolder folder;
+  folder.file("p.opb", hard_program());
+  const std::string out = folder.path("out");
+  const pid_t process = start({"solve", folder.path("p.opb")}, out);
+  const auto has_model = [&out] {
+    std::ifstream lines(out);
+    for (std::string line; std::getline(lines, line);)
+      if (line.starts_with("o ")) return true;
+    return false;
+  };
+  int n_looks = 0;
+  while (!has_model() && waitpid(process, nullptr, WNOHANG) == 0 &&
+         ++n_looks < 2000)
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  kill(process, SIGINT);
+  EXPECT_EQ(wait_for(process), 3);
+  EXPECT_NE(folder.content("out").find("\ns SATISFIABLE\nv "),
+            std::string::npos);
 }
 
 }  // namespace
