@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "predicates/gabriel.h"
+#include "umbrella/curve_graph_internal.h"
 #include "umbrella/curve_picks_internal.h"
 
 // Two passes over the cells, for cells lie in the order of their making, and
@@ -23,14 +24,6 @@ using delaunay::Point2;
 using delaunay::Side;
 using delaunay::Triangulation2;
 using delaunay::VertexId;
-
-// Square of the sine of the angle under which p sees a b.
-double sine2(const Point2& p, const Point2& a, const Point2& b) {
-  const Point2 u = (a - p).stableNormalized();
-  const Point2 v = (b - p).stableNormalized();
-  const double sine = u.x() * v.y() - u.y() * v.x();
-  return std::min(1.0, sine * sine);
-}
 
 constexpr std::uint8_t kNoSide = 3;
 constexpr double kUnknown = -1;
@@ -169,9 +162,12 @@ class Picker {
     double lambda2 = 1;
     for (const Side side : {here, cell.neighbor[here.index()]}) {
       const double curvature2 = curvature2_[index(side.cell())];
-      lambda2 =
-          std::min(lambda2, curvature2 == kUnknown ? sine2(apex(side), a, b)
-                                                   : length2 * curvature2);
+      if (curvature2 == kUnknown) {
+        const double lambda = sine(apex(side), a, b);
+        lambda2 = std::min(lambda2, lambda * lambda);
+      } else {
+        lambda2 = std::min(lambda2, length2 * curvature2);
+      }
     }
     offer(v, w, lambda2);
     offer(w, v, lambda2);
