@@ -139,12 +139,13 @@ class Picker {
     for (std::uint32_t c = first; c < std::min(first + kBlock, n_cells); ++c) {
       for (unsigned i = 0; i < 3; ++i) {
         const Side there = t_.cell(CellId{c}).neighbor[i];
-        const bool is_first = there.cell() >= CellId{c};
-        const bool is_gabriel =
-            (obtuse_side_[c] != i) &
-            (obtuse_side_[index(there.cell())] != there.index());
+        const auto is_seen_obtuse =
+            static_cast<unsigned>(obtuse_side_[c] == i) |
+            static_cast<unsigned>(obtuse_side_[index(there.cell())] ==
+                                  there.index());
         found[n_found] = Side(CellId{c}, i);
-        n_found += static_cast<std::size_t>(is_first & is_gabriel);
+        n_found += static_cast<unsigned>(there.cell() >= CellId{c}) &
+                   (is_seen_obtuse ^ 1U);
       }
     }
     for (const Side side : std::span(found).first(n_found)) pick(side);
