@@ -58,6 +58,27 @@ TEST(CurveAuto, FindsTheEndsOfOpenCurves) {
   EXPECT_EQ(edges_by(CurveMode::Open, instance), instance.truth);
 }
 
+TEST(CurveAuto, LeavesAFewScatteredPointsAlone) {
+  const auto curve = tests::make_curve_instance("smooth", 900'102);
+  std::mt19937_64 rng(900'103);
+  std::uniform_real_distribution<double> unit(0, 0.5);
+  for (unsigned trial = 0; trial < 10; ++trial) {
+    SCOPED_TRACE(testing::Message() << "trial " << trial);
+    auto spoilt = curve;
+    for (unsigned n = 1; n <= 12; ++n) {
+      const Point2 p{20 + 2 * n + unit(rng), 20 + unit(rng)};
+      spoilt.points.push_back(p);
+      // Twelve are many enough for a curve.
+      const auto edges = edges_by(CurveMode::Auto, spoilt);
+      if (n <= 6) {
+        EXPECT_EQ(edges, spoilt.truth);
+      } else if (n == 12) {
+        EXPECT_GT(edges.size(), spoilt.truth.size());
+      }
+    }
+  }
+}
+
 TEST(CurveAuto, LinksAreMutualDelaunayEdges) {
   for (const tests::Family family : tests::kFamilies) {
     SCOPED_TRACE(tests::name(family));

@@ -15,9 +15,6 @@ namespace umbrella {
 struct LambdaCriterion {
   bool admissible(const DelaunayTriangle& /*t*/) const { return true; }
   Rank rank(const DelaunayTriangle& t) const { return paper.rank(t); }
-  Rank nearest_rank(const DelaunayTriangle& t) const {
-    return paper.nearest_rank(t);
-  }
   ExactRank exact_rank(const DelaunayTriangle& t) const {
     return paper.exact_rank(t);
   }

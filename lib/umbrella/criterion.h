@@ -54,9 +54,6 @@ struct PaperCriterion {
   Rank rank(const DelaunayTriangle& t) const {
     return {t.squared_lambda_lower(), t.squared_circumradius()};
   }
-  Rank nearest_rank(const DelaunayTriangle& t) const {
-    return {t.exact_squared_lambda_lower(), t.exact_squared_circumradius()};
-  }
   ExactRank exact_rank(const DelaunayTriangle& t) const {
     return {t.squared_lambda_lower_ratio(), t.squared_circumradius_ratio()};
   }
@@ -69,9 +66,6 @@ struct CircumradiusCriterion {
   bool admissible(const DelaunayTriangle& t) const { return t.is_gabriel(); }
   Rank rank(const DelaunayTriangle& t) const {
     return {t.squared_circumradius(), t.squared_lambda_lower()};
-  }
-  Rank nearest_rank(const DelaunayTriangle& t) const {
-    return {t.exact_squared_circumradius(), t.exact_squared_lambda_lower()};
   }
   ExactRank exact_rank(const DelaunayTriangle& t) const {
     return {t.squared_circumradius_ratio(), t.squared_lambda_lower_ratio()};

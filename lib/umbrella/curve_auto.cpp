@@ -121,6 +121,44 @@ class AutoCurves {
     const PieceChanges changes = shorten_pieces(graph, links_, changed);
     report_.tours = changes.tours;
     report_.turns = changes.turns;
+    drop_scattered(2 * price * typical_spacing(t_, agreed));
+  }
+
+  /// Pieces of a few vertices that are all far apart are no curves.
+  void drop_scattered(double far) {
+    const auto is_near_to = [&](VertexId v) {
+      return [this, v, far](VertexId w) {
+        return w != CurveLinks::kNone &&
+               (t_.point(w) - t_.point(v)).stableNorm() <= far;
+      };
+    };
+    for (std::uint32_t i = 0; i < links_.n_vertices(); ++i) {
+      if (std::ranges::any_of(links_[VertexId{i}], is_near_to(VertexId{i})))
+        continue;
+      const std::vector<VertexId> piece = piece_at(VertexId{i});
+      if (piece.size() > kTinyPiece ||
+          std::ranges::any_of(piece, [&](VertexId v) {
+            return std::ranges::any_of(links_[v], is_near_to(v));
+          }))
+        continue;
+      for (const VertexId v : piece) drop_links(v);
+    }
+  }
+
+  void drop_links(VertexId v) {
+    const std::array<VertexId, 2> old = links_[v];
+    for (const VertexId w : old)
+      if (w != CurveLinks::kNone) links_.drop(v, w);
+  }
+
+  /// All vertices of the piece, or more than kTinyPiece of them.
+  std::vector<VertexId> piece_at(VertexId v) const {
+    std::vector<VertexId> piece = {v};
+    for (std::size_t k = 0; k < piece.size() && piece.size() <= kTinyPiece; ++k)
+      for (const VertexId w : links_[piece[k]])
+        if (w != CurveLinks::kNone && std::ranges::count(piece, w) == 0)
+          piece.push_back(w);
+    return piece;
   }
 
   void join(CurveGraph& graph, PieceRules rules,

@@ -17,14 +17,13 @@ using delaunay::VertexId;
 
 constexpr auto kUnknown = std::numeric_limits<std::uint32_t>::max();
 
-/// Sine of the angle under which p sees a b.
+}  // namespace
+
 double sine(const Point2& p, const Point2& a, const Point2& b) {
   const Point2 u = (a - p).stableNormalized();
   const Point2 v = (b - p).stableNormalized();
   return std::min(1.0, std::abs(u.x() * v.y() - u.y() * v.x()));
 }
-
-}  // namespace
 
 CurveGraph::CurveGraph(const Triangulation2& triangulation)
     : t_(triangulation),

@@ -10,6 +10,10 @@
 
 namespace umbrella {
 
+/// Of the angle under which p sees a b, rounded as its factors are.
+double sine(const delaunay::Point2& p, const delaunay::Point2& a,
+            const delaunay::Point2& b);
+
 class CurveGraph {
  public:
   struct Arc {

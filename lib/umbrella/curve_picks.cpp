@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "predicates/gabriel.h"
+#include "umbrella/curve_graph_internal.h"
 #include "umbrella/curve_picks_internal.h"
 
 // Two passes over the cells, for cells lie in the order of their making, and
@@ -23,14 +24,6 @@ using delaunay::Point2;
 using delaunay::Side;
 using delaunay::Triangulation2;
 using delaunay::VertexId;
-
-// Square of the sine of the angle under which p sees a b.
-double sine2(const Point2& p, const Point2& a, const Point2& b) {
-  const Point2 u = (a - p).stableNormalized();
-  const Point2 v = (b - p).stableNormalized();
-  const double sine = u.x() * v.y() - u.y() * v.x();
-  return std::min(1.0, sine * sine);
-}
 
 constexpr std::uint8_t kNoSide = 3;
 constexpr double kUnknown = -1;
@@ -146,12 +139,13 @@ class Picker {
     for (std::uint32_t c = first; c < std::min(first + kBlock, n_cells); ++c) {
       for (unsigned i = 0; i < 3; ++i) {
         const Side there = t_.cell(CellId{c}).neighbor[i];
-        const bool is_first = there.cell() >= CellId{c};
-        const bool is_gabriel =
-            (obtuse_side_[c] != i) &
-            (obtuse_side_[index(there.cell())] != there.index());
+        const auto is_seen_obtuse =
+            static_cast<unsigned>(obtuse_side_[c] == i) |
+            static_cast<unsigned>(obtuse_side_[index(there.cell())] ==
+                                  there.index());
         found[n_found] = Side(CellId{c}, i);
-        n_found += static_cast<std::size_t>(is_first & is_gabriel);
+        n_found += static_cast<unsigned>(there.cell() >= CellId{c}) &
+                   (is_seen_obtuse ^ 1U);
       }
     }
     for (const Side side : std::span(found).first(n_found)) pick(side);
@@ -169,9 +163,12 @@ class Picker {
     double lambda2 = 1;
     for (const Side side : {here, cell.neighbor[here.index()]}) {
       const double curvature2 = curvature2_[index(side.cell())];
-      lambda2 =
-          std::min(lambda2, curvature2 == kUnknown ? sine2(apex(side), a, b)
-                                                   : length2 * curvature2);
+      if (curvature2 == kUnknown) {
+        const double lambda = sine(apex(side), a, b);
+        lambda2 = std::min(lambda2, lambda * lambda);
+      } else {
+        lambda2 = std::min(lambda2, length2 * curvature2);
+      }
     }
     offer(v, w, lambda2);
     offer(w, v, lambda2);

@@ -12,6 +12,8 @@ namespace {
 using delaunay::Triangulation2;
 using delaunay::VertexId;
 
+constexpr std::size_t kEnough = 10'000;
+
 double length(const Triangulation2& t, VertexId v, VertexId w) {
   return std::min((t.point(v) - t.point(w)).stableNorm(), 0x1p1000);
 }
@@ -58,8 +60,22 @@ double spacing(CurveGraph& graph, const CurveLinks& links, VertexId v) {
   return found > 0 ? found : nearest;
 }
 
+double typical_spacing(const Triangulation2& t, const CurveLinks& links) {
+  const std::size_t stride = 1 + links.n_vertices() / kEnough;
+  std::vector<double> known;
+  for (std::size_t i = 0; i < links.n_vertices(); i += stride) {
+    const double s =
+        link_spacing(t, links, VertexId{static_cast<std::uint32_t>(i)});
+    if (s > 0) known.push_back(s);
+  }
+  if (known.empty()) return 0;
+  const auto median =
+      known.begin() + static_cast<std::ptrdiff_t>(known.size() / 2);
+  std::ranges::nth_element(known, median);
+  return *median;
+}
+
 double spread(const Triangulation2& t, const CurveLinks& links) {
-  constexpr std::size_t kEnough = 10'000;
   constexpr double kMost = 100;
   const std::size_t stride = 1 + links.n_vertices() / kEnough;
   std::vector<double> ratios;

@@ -20,6 +20,11 @@ double link_spacing(const delaunay::Triangulation2& t, const CurveLinks& links,
 double spacing(CurveGraph& graph, const CurveLinks& links,
                delaunay::VertexId v);
 
+/// The median of link_spacing() where it is known; 0 if nowhere. From some 10^4
+/// vertices, or all.
+double typical_spacing(const delaunay::Triangulation2& t,
+                       const CurveLinks& links);
+
 /// How uneven the spacing is: nine of ten links are at most so many times as
 /// long as the spacing at their ends. In [1, 100]; from some 10^4 links, or
 /// all.

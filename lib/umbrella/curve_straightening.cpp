@@ -14,7 +14,6 @@ namespace umbrella {
 namespace {
 
 using delaunay::Point2;
-using delaunay::VertexId;
 
 constexpr auto kNowhere = std::numeric_limits<std::uint32_t>::max();
 
