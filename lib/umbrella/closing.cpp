@@ -26,7 +26,8 @@ class Closing {
         surface_(triangulation.points().size(), cleaned),
         is_open_(triangulation.points().size()),
         triangulation_(triangulation),
-        solver_(triangulation, options, surface_, is_open_),
+        groups_(triangulation, cleaned),
+        solver_(triangulation, options, surface_, is_open_, groups_),
         is_undecided_(triangulation.points().size()) {}
 
   ClosingResult run(std::span<const Hole> holes);
@@ -74,6 +75,7 @@ class Closing {
   WorkingSurface surface_;
   std::vector<bool> is_open_;  // vertices of regions not yet closed
   const delaunay::Triangulation3& triangulation_;
+  PointGroups groups_;
   RegionSolver solver_;
   std::vector<Task> tasks_;  // regions that have no solution as given
   std::vector<VertexId> dropped_;
@@ -122,8 +124,7 @@ void Closing::solve_as_given(std::vector<Region> regions) {
     Attempt& attempt = first[i];
     report.candidate_triangles += attempt.n_candidates;
     report.variables += attempt.n_variables;
-    if (attempt.outcome == Outcome::Solved &&
-        solver_.closes_small_piece(attempt))
+    if (attempt.outcome == Outcome::Solved && solver_.closes_fragment(attempt))
       attempt = solver_.attempt(regions[i], efforts[i]);
     if (attempt.outcome == Outcome::Solved) {
       accept(attempt);
@@ -161,7 +162,8 @@ std::vector<Attempt> Closing::attempts(std::span<const Region> regions,
             : std::min<std::size_t>(options_.threads, regions.size());
     for (std::size_t k = 1; k < n; ++k)
       others.emplace_back([&] {
-        RegionSolver solver(triangulation_, options_, surface_, is_open_);
+        RegionSolver solver(triangulation_, options_, surface_, is_open_,
+                            groups_);
         work(solver);
         conflicts += solver.conflicts();
         if (solver.is_timed_out()) is_timed_out = true;

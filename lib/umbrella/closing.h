@@ -54,6 +54,10 @@ struct ClosingOptions {
   /// are cut off as long as some other solution exists.
   std::size_t piece_triangles = 12;
   double piece_part = 0.02;
+  /// Likewise those of at most joined_part * 2 m triangles, m being the points
+  /// that hang together with theirs: by Delaunay edges at most twice as long as
+  /// some edge of the cleaned triangles at either end.
+  double joined_part = 0.4;
   /// Regions are solved on so many threads, with the same result for any
   /// number; what has no solution as it is grows on one.
   unsigned threads = 1;
