@@ -1,18 +1,87 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <random>
+#include <string_view>
 #include <vector>
 
 #include "apps/shapes.h"
 #include "umbrella/criterion.h"
+#include "umbrella/essential_loops_internal.h"
 #include "umbrella/filter.h"
 #include "umbrella/point_groups_internal.h"
 #include "umbrella/reconstruct.h"
 
 namespace umbrella {
 namespace {
+
+/// A torus of k x l squares, each cut along a diagonal.
+std::vector<Triangle> grid_torus(std::uint32_t k, std::uint32_t l,
+                                 std::uint32_t first) {
+  const auto at = [&](std::uint32_t i, std::uint32_t j) {
+    return VertexId{first + (i % k) * l + j % l};
+  };
+  std::vector<Triangle> triangles;
+  for (std::uint32_t i = 0; i < k; ++i)
+    for (std::uint32_t j = 0; j < l; ++j)
+      for (Triangle t : {Triangle{at(i, j), at(i + 1, j), at(i + 1, j + 1)},
+                         Triangle{at(i, j), at(i, j + 1), at(i + 1, j + 1)}}) {
+        std::sort(t.begin(), t.end());
+        triangles.push_back(t);
+      }
+  return triangles;
+}
+
+TEST(EssentialLoops, GoRoundATorusTheShortWay) {
+  EssentialLoops loops(5 * 9, grid_torus(5, 9, 0));
+  EXPECT_EQ(loops.n_generators(), 2U);
+  EXPECT_TRUE(loops.shortest(4).empty());
+  std::vector<bool> is_met(5 * 9);
+  for (const auto& loop : loops.shortest(5)) {
+    EXPECT_EQ(loop.size(), 5U);
+    for (const VertexId v : loop) is_met[index(v)] = true;
+  }
+  EXPECT_EQ(std::count(is_met.begin(), is_met.end(), true), 5 * 9);
+}
+
+TEST(EssentialLoops, AreThereOnSurfacesWithHandlesOnly) {
+  const std::vector<Triangle> tetrahedron = {
+      {VertexId{0}, VertexId{1}, VertexId{2}},
+      {VertexId{0}, VertexId{1}, VertexId{3}},
+      {VertexId{0}, VertexId{2}, VertexId{3}},
+      {VertexId{1}, VertexId{2}, VertexId{3}}};
+  EssentialLoops none(4, tetrahedron);
+  EXPECT_EQ(none.n_generators(), 0U);
+  EXPECT_TRUE(none.shortest(8).empty());
+
+  // Vertex 0 is on no triangle.
+  std::vector<Triangle> two = grid_torus(4, 6, 1);
+  const std::vector<Triangle> other = grid_torus(6, 7, 25);
+  two.insert(two.end(), other.begin(), other.end());
+  EssentialLoops loops(1 + 24 + 42, two);
+  EXPECT_EQ(loops.n_generators(), 4U);
+  for (const auto& loop : loops.shortest(5))
+    EXPECT_LT(loop.back(), VertexId{25});  // of the first torus
+  EXPECT_FALSE(loops.shortest(5).empty());
+}
+
+TEST(EssentialLoops, NeedMoreThanOneWordOfBits) {
+  std::vector<Triangle> all;
+  constexpr std::uint32_t kTori = 40;
+  for (std::uint32_t i = 0; i < kTori; ++i) {
+    const auto torus = grid_torus(3, 4, 12 * i);
+    all.insert(all.end(), torus.begin(), torus.end());
+  }
+  EssentialLoops loops(12 * kTori, all);
+  EXPECT_EQ(loops.n_generators(), 2 * kTori);
+  std::vector<bool> has_loop(kTori);
+  for (const auto& loop : loops.shortest(3))
+    has_loop[index(loop.front()) / 12] = true;
+  EXPECT_EQ(std::count(has_loop.begin(), has_loop.end(), true), kTori);
+}
 
 /// A sphere and one of half its radius, as densely sampled and with noise, some
 /// spacings apart. The large one first.
@@ -56,6 +125,59 @@ TEST(Topology, KeepsSpheresApartThatHaveAGapBetweenThem) {
     EXPECT_EQ(result.surface.components, 2U);
     EXPECT_EQ(result.surface.genus, 0);
     EXPECT_TRUE(result.surface.unused_vertices.empty());
+  }
+}
+
+/// A tube about an arc, with round ends half a spacing apart.
+std::vector<Point3> horseshoe(std::uint64_t seed) {
+  constexpr double kTube = 0.25, kSpacing = 0.09, kGap = 2 * kTube + 0.05;
+  constexpr double kHalf = std::numbers::pi - kGap / 2;
+  std::mt19937_64 rng(seed);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  std::vector<Point3> points;
+  for (int i = 0; i < 40'000; ++i) {
+    const double start = unit(rng) * kHalf;
+    Point3 p = Point3(std::cos(start), std::sin(start), 0) +
+               kTube * Point3(unit(rng), unit(rng), unit(rng));
+    const double angle = std::clamp(std::atan2(p.y(), p.x()), -kHalf, kHalf);
+    const Point3 center(std::cos(angle), std::sin(angle), 0);
+    p = center + kTube * (p - center).normalized();
+    if (std::all_of(points.begin(), points.end(), [&](const Point3& q) {
+          return (p - q).norm() >= kSpacing;
+        }))
+      points.push_back(p);
+  }
+  return points;
+}
+
+TEST(Topology, LosesHandlesThatTheSamplingDoesNotMean) {
+  std::size_t n_removed = 0;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    const std::vector<Point3> points = horseshoe(seed);
+    ReconstructOptions options;
+    options.closing.handle_edges = 0;
+    const Reconstruction before = reconstruct(points, options);
+    const Reconstruction after = reconstruct(points);
+    EXPECT_EQ(before.surface.genus.value() -
+                  static_cast<std::int64_t>(after.closing.handles_removed),
+              after.surface.genus);
+    EXPECT_EQ(after.surface.components, 1U);
+    EXPECT_TRUE(after.surface.manifold && after.surface.outward);
+    EXPECT_TRUE(after.surface.unused_vertices.empty());
+    EXPECT_EQ(after.surface.triangles + 4 * after.closing.handles_removed,
+              before.surface.triangles);
+    n_removed += after.closing.handles_removed;
+  }
+  EXPECT_GT(n_removed, 0U);
+}
+
+TEST(Topology, KeepsHandlesThatAreSampled) {
+  for (const std::string_view shape : {"torus", "3holes"}) {
+    SCOPED_TRACE(shape);
+    const Reconstruction result = reconstruct(shapes::sample(shape, 2500));
+    EXPECT_EQ(result.surface.genus, shape == "torus" ? 1 : 3);
+    EXPECT_EQ(result.closing.handles_removed, 0U);
   }
 }
 

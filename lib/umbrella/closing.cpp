@@ -13,6 +13,7 @@
 
 #include "umbrella/cell_labels.h"
 #include "umbrella/region_solver_internal.h"
+#include "umbrella/small_handles_internal.h"
 
 namespace umbrella {
 namespace {
@@ -69,6 +70,7 @@ class Closing {
   void accept(const Attempt& solved);
   void give_up(const Task& task);
   void label_cells();
+  void remove_handles();
   void list_dropped(std::vector<VertexId> dropped);
 
   const ClosingOptions& options_;
@@ -103,7 +105,10 @@ ClosingResult Closing::run(std::span<const Hole> holes) {
   result_.report.timed_out |= solver_.is_timed_out();
   result_.triangles = surface_.sorted();
   std::sort(dropped_.begin(), dropped_.end());
-  if (options_.mode == CloseMode::Best && options_.drop_points) label_cells();
+  if (options_.mode == CloseMode::Best && options_.drop_points) {
+    label_cells();
+    remove_handles();
+  }
   list_dropped(dropped_);
   return std::move(result_);
 }
@@ -343,6 +348,14 @@ void Closing::label_cells() {
       {options_.weight, options_.piece_triangles, options_.stop});
   result_.triangles = std::move(labelled.triangles);
   dropped_ = std::move(labelled.left_out);
+}
+
+void Closing::remove_handles() {
+  ClosingOptions options = options_;
+  options.on_program = {};
+  options.seconds = std::max(0.0, solver_.seconds_left());
+  result_.report.handles_removed =
+      remove_small_handles(triangulation_, options, result_.triangles);
 }
 
 void Closing::list_dropped(std::vector<VertexId> dropped) {

@@ -58,6 +58,10 @@ struct ClosingOptions {
   /// that hang together with theirs: by Delaunay edges at most twice as long as
   /// some edge of the cleaned triangles at either end.
   double joined_part = 0.4;
+  /// Once the surface is closed, handles that a loop of at most so many edges
+  /// goes round are removed where a surface through the same points has none;
+  /// 0 to keep all.
+  unsigned handle_edges = 5;
   /// Regions are solved on so many threads, with the same result for any
   /// number; what has no solution as it is grows on one.
   unsigned threads = 1;
@@ -87,6 +91,7 @@ struct ClosingReport {
   std::size_t undecided = 0;   ///< regions given up at a limit
   std::size_t grown = 0;       ///< regions closed after growing
   std::size_t labelled = 0;    ///< of those given up, closed by cell labels
+  std::size_t handles_removed = 0;
   std::uint64_t conflicts = 0;
   bool timed_out = false;  ///< the wall clock cut a search short
 };

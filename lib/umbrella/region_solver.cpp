@@ -77,6 +77,7 @@ Attempt RegionSolver::attempt(const Region& region, Effort& effort,
                               const AttemptOptions& how) {
   std::vector<LocatedTriangle> candidates = neighborhoods_.candidates(region);
   ClosingProgram program(surface_, candidates, region.vertices, how.may_drop);
+  if (how.fewer_triangles > 0) program.demand_fewer(how.fewer_triangles);
   Work work(std::move(candidates), std::move(program));
   work.allowed = how.allowed;
   if (options_.on_program) work.solver.keep_cycles();

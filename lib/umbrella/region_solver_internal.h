@@ -61,6 +61,8 @@ struct AttemptOptions {
   bool accept_drops = true;
   /// Small closed pieces that may be.
   std::span<const Piece> allowed = {};
+  /// At least so many triangles fewer than there are.
+  std::size_t fewer_triangles = 0;
 };
 
 class RegionSolver {
