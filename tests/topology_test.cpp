@@ -5,13 +5,19 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <set>
 #include <string_view>
 #include <vector>
 
 #include "apps/shapes.h"
+#include "umbrella/cell_labels.h"
+#include "umbrella/certificate.h"
+#include "umbrella/clean_up.h"
 #include "umbrella/criterion.h"
 #include "umbrella/essential_loops_internal.h"
 #include "umbrella/filter.h"
+#include "umbrella/labelling_internal.h"
+#include "umbrella/local_repair_internal.h"
 #include "umbrella/point_groups_internal.h"
 #include "umbrella/reconstruct.h"
 
@@ -179,6 +185,90 @@ TEST(Topology, KeepsHandlesThatAreSampled) {
     EXPECT_EQ(result.surface.genus, shape == "torus" ? 1 : 3);
     EXPECT_EQ(result.closing.handles_removed, 0U);
   }
+}
+
+SurfaceReport judged(const delaunay::Triangulation3& triangulation,
+                     std::span<const LocatedTriangle> triangles) {
+  std::vector<IndexedTriangle> indexed;
+  for (const LocatedTriangle& t : triangles) {
+    const auto& [a, b, c] = t.corners;
+    indexed.push_back({static_cast<std::uint32_t>(a),
+                       static_cast<std::uint32_t>(b),
+                       static_cast<std::uint32_t>(c)});
+  }
+  return check_surface(triangulation.points(), indexed);
+}
+
+/// Cuts off corners with three triangles; @return their vertices
+std::vector<VertexId> cut_corners(const delaunay::Triangulation3& triangulation,
+                                  std::vector<LocatedTriangle>& triangles) {
+  std::set<Triangle> surface;
+  std::vector<int> degree(triangulation.points().size());
+  for (const LocatedTriangle& t : triangles) {
+    surface.insert(t.corners);
+    for (const VertexId v : t.corners) ++degree[index(v)];
+  }
+  std::vector<VertexId> cut;
+  for (std::uint32_t i = 0; i < 4 * triangulation.n_finite_cells(); ++i) {
+    const delaunay::Facet facet(delaunay::CellId{i / 4}, i % 4);
+    const VertexId v = triangulation.cell(facet.cell()).vertex[i % 4];
+    int n_at_v = 0;
+    for (unsigned k = 0; k < 4; ++k)
+      n_at_v += surface.count(sorted_corners(
+                    triangulation, delaunay::Facet(facet.cell(), k))) > 0 &&
+                k != i % 4;
+    if (n_at_v < 3 || degree[index(v)] != 3) continue;
+    const Triangle base = sorted_corners(triangulation, facet);
+    if (!surface.insert(base).second) continue;
+    cut.push_back(v);
+    std::erase_if(triangles, [&](const LocatedTriangle& t) {
+      return std::find(t.corners.begin(), t.corners.end(), v) !=
+             t.corners.end();
+    });
+    triangles.push_back({base, facet});
+    for (const VertexId w : base) degree[index(w)] = 0;  // not these, too
+    degree[index(v)] = 0;
+  }
+  std::sort(triangles.begin(), triangles.end(),
+            [](const auto& a, const auto& b) { return a.corners < b.corners; });
+  return cut;
+}
+
+/// @return how many points were left out
+std::size_t expect_brought_in(const delaunay::Triangulation3& triangulation) {
+  std::vector<VertexId> open(triangulation.vertex_of_row().begin(),
+                             triangulation.vertex_of_row().end());
+  std::sort(open.begin(), open.end());
+  const auto ranked = ranked_triangles(triangulation);
+  std::vector<LocatedTriangle> certain;
+  for (const RankedTriangle& t : clean_up(open.size(), ranked).triangles)
+    certain.push_back({t.corners, t.facet});
+  auto triangles = close_by_cell_labels(triangulation, certain, open).triangles;
+  const SurfaceReport before = judged(triangulation, triangles);
+  const std::vector<VertexId> cut = cut_corners(triangulation, triangles);
+  const std::size_t n_out = before.unused_vertices.size() + cut.size();
+  EXPECT_EQ(judged(triangulation, triangles).unused_vertices.size(), n_out);
+
+  const LocalRepair repaired = repair_locally(triangulation, {}, triangles);
+  const SurfaceReport after = judged(triangulation, triangles);
+  EXPECT_TRUE(after.closed && after.manifold);
+  EXPECT_EQ(after.components, 1U);
+  EXPECT_EQ(after.genus, before.genus);
+  EXPECT_TRUE(after.unused_vertices.empty());
+  EXPECT_TRUE(repaired.left_out.empty());
+  EXPECT_EQ(repaired.brought_in, n_out);
+  return n_out;
+}
+
+TEST(LocalRepair, BringsInPointsThatAreLeftOut) {
+  std::size_t n_out = 0;
+  for (const std::string_view shape : {"sphere", "torus", "3holes"})
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+      SCOPED_TRACE(testing::Message() << shape << ", seed " << seed);
+      n_out += expect_brought_in(delaunay::Triangulation3(
+          shapes::sample(shape, 1000, {.seed = seed, .noise = 0.3})));
+    }
+  EXPECT_GE(n_out, 4U);
 }
 
 }  // namespace

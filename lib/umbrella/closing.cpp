@@ -12,8 +12,8 @@
 #include <thread>
 
 #include "umbrella/cell_labels.h"
+#include "umbrella/local_repair_internal.h"
 #include "umbrella/region_solver_internal.h"
-#include "umbrella/small_handles_internal.h"
 
 namespace umbrella {
 namespace {
@@ -70,7 +70,7 @@ class Closing {
   void accept(const Attempt& solved);
   void give_up(const Task& task);
   void label_cells();
-  void remove_handles();
+  void repair_locally();
   void list_dropped(std::vector<VertexId> dropped);
 
   const ClosingOptions& options_;
@@ -107,7 +107,7 @@ ClosingResult Closing::run(std::span<const Hole> holes) {
   std::sort(dropped_.begin(), dropped_.end());
   if (options_.mode == CloseMode::Best && options_.drop_points) {
     label_cells();
-    remove_handles();
+    repair_locally();
   }
   list_dropped(dropped_);
   return std::move(result_);
@@ -350,12 +350,16 @@ void Closing::label_cells() {
   dropped_ = std::move(labelled.left_out);
 }
 
-void Closing::remove_handles() {
+void Closing::repair_locally() {
   ClosingOptions options = options_;
   options.on_program = {};
   options.seconds = std::max(0.0, solver_.seconds_left());
-  result_.report.handles_removed =
-      remove_small_handles(triangulation_, options, result_.triangles);
+  LocalRepair repaired =
+      umbrella::repair_locally(triangulation_, options, result_.triangles);
+  result_.report.pieces_joined = repaired.pieces_joined;
+  result_.report.brought_in = repaired.brought_in;
+  result_.report.handles_removed = repaired.handles_removed;
+  dropped_ = std::move(repaired.left_out);
 }
 
 void Closing::list_dropped(std::vector<VertexId> dropped) {
