@@ -9,6 +9,16 @@
 namespace umbrella {
 namespace {
 
+constexpr std::size_t kMostVertices = 300;
+
+/// Every piece that is no larger is banned, and no larger one looked for.
+ClosingOptions with_small_pieces(ClosingOptions options) {
+  options.piece_triangles =
+      std::max(options.piece_triangles, 2 * kMostVertices);
+  options.piece_part = options.joined_part = 0;
+  return options;
+}
+
 /// V - E + F = V - F / 2 is 2 for each component less 2 for each handle.
 constexpr std::size_t kTrianglesOfHandle = 4;
 
@@ -74,14 +84,16 @@ class Repair {
          const ClosingOptions& options,
          std::span<const RankedTriangle> triangles)
       : options_(options),
+        local_options_(with_small_pieces(options)),
         surface_(triangulation.points().size(), triangles),
         is_open_(triangulation.points().size()),
         groups_(triangulation, triangles),
-        solver_(triangulation, options, surface_, is_open_, groups_),
+        solver_(triangulation, local_options_, surface_, is_open_, groups_),
         effort_{options.conflicts / 3,
                 options.propagations + options.propagations_per_vertex *
                                            triangulation.points().size()},
-        is_changed_(triangulation.points().size()) {}
+        is_changed_(triangulation.points().size()),
+        n_components_(census().n_components()) {}
 
   std::size_t join_pieces();
   std::size_t bring_in();
@@ -109,12 +121,14 @@ class Repair {
   }
 
   const ClosingOptions& options_;
+  const ClosingOptions local_options_;
   WorkingSurface surface_;
   std::vector<bool> is_open_;  // none
   PointGroups groups_;
   RegionSolver solver_;
   Effort effort_;  // for all that is tried
   std::vector<bool> is_changed_;
+  std::size_t n_components_;
   std::set<Vertices> tried_;
 };
 
@@ -127,7 +141,6 @@ Census Repair::census() const {
 
 /// With the rest of the surface, of which it is a small part.
 bool Repair::hangs_together(const Vertices& piece) {
-  constexpr std::size_t kMostVertices = 300;
   return piece.size() <= kMostVertices &&
          static_cast<double>(piece.size()) <=
              options_.joined_part *
@@ -136,17 +149,15 @@ bool Repair::hangs_together(const Vertices& piece) {
 
 /// @return how many there are less
 std::size_t Repair::join_pieces() {
-  const std::size_t n_before = census().n_components();
-  std::size_t n_now = n_before;
+  const std::size_t n_before = n_components_;
   for (const Vertices& piece : census().components()) {
-    if (n_now == 1 || is_over()) break;
+    if (n_components_ == 1 || is_over()) break;
     if (!hangs_together(piece)) continue;
     Region region;
     region.vertices = solver_.neighborhoods().ring(piece);
-    if (attempt(region, {.may_drop = left_out()}, n_now - 1))
-      n_now = census().n_components();
+    attempt(region, {.may_drop = left_out()}, n_components_ - 1);
   }
-  return n_before - n_now;
+  return n_before - n_components_;
 }
 
 /// @return how many points came to the surface
@@ -160,7 +171,7 @@ std::size_t Repair::bring_in() {
       region.vertices = solver_.neighborhoods().ring(region.vertices);
       Vertices others = left_out();
       std::erase(others, v);
-      attempt(region, {.may_drop = others}, census().n_components());
+      attempt(region, {.may_drop = others}, n_components_);
     }
   }
   return missing.size() - left_out().size();
@@ -199,8 +210,7 @@ bool Repair::remove_handle_at(const Vertices& loop) {
   region.vertices = loop;
   for (int ring = 0; ring < kRings; ++ring) {
     region.vertices = ringed(region.vertices);
-    if (attempt(region, {.fewer_triangles = kTrianglesOfHandle},
-                census().n_components()))
+    if (attempt(region, {.fewer_triangles = kTrianglesOfHandle}, n_components_))
       return true;
   }
   return false;
@@ -216,9 +226,10 @@ bool Repair::attempt(const Region& region, const AttemptOptions& how,
   const Attempt attempt = solver_.attempt(region, effort, how);
   effort_.charge(before.conflicts - effort.conflicts,
                  before.propagations - effort.propagations);
-  if (attempt.outcome != Outcome::Solved ||
-      n_components_with(attempt) > most_components)
-    return false;
+  if (attempt.outcome != Outcome::Solved) return false;
+  const std::size_t n_components = n_components_with(attempt);
+  if (n_components > most_components) return false;
+  n_components_ = n_components;
   accept(attempt);
   return true;
 }
