@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "umbrella/cell_labels.h"
+#include "umbrella/local_repair_internal.h"
 #include "umbrella/region_solver_internal.h"
 
 namespace umbrella {
@@ -26,7 +27,8 @@ class Closing {
         surface_(triangulation.points().size(), cleaned),
         is_open_(triangulation.points().size()),
         triangulation_(triangulation),
-        solver_(triangulation, options, surface_, is_open_),
+        groups_(triangulation, cleaned),
+        solver_(triangulation, options, surface_, is_open_, groups_),
         is_undecided_(triangulation.points().size()) {}
 
   ClosingResult run(std::span<const Hole> holes);
@@ -68,12 +70,14 @@ class Closing {
   void accept(const Attempt& solved);
   void give_up(const Task& task);
   void label_cells();
+  void repair_locally();
   void list_dropped(std::vector<VertexId> dropped);
 
   const ClosingOptions& options_;
   WorkingSurface surface_;
   std::vector<bool> is_open_;  // vertices of regions not yet closed
   const delaunay::Triangulation3& triangulation_;
+  PointGroups groups_;
   RegionSolver solver_;
   std::vector<Task> tasks_;  // regions that have no solution as given
   std::vector<VertexId> dropped_;
@@ -101,7 +105,10 @@ ClosingResult Closing::run(std::span<const Hole> holes) {
   result_.report.timed_out |= solver_.is_timed_out();
   result_.triangles = surface_.sorted();
   std::sort(dropped_.begin(), dropped_.end());
-  if (options_.mode == CloseMode::Best && options_.drop_points) label_cells();
+  if (options_.mode == CloseMode::Best && options_.drop_points) {
+    label_cells();
+    repair_locally();
+  }
   list_dropped(dropped_);
   return std::move(result_);
 }
@@ -122,8 +129,7 @@ void Closing::solve_as_given(std::vector<Region> regions) {
     Attempt& attempt = first[i];
     report.candidate_triangles += attempt.n_candidates;
     report.variables += attempt.n_variables;
-    if (attempt.outcome == Outcome::Solved &&
-        solver_.closes_small_piece(attempt))
+    if (attempt.outcome == Outcome::Solved && solver_.closes_fragment(attempt))
       attempt = solver_.attempt(regions[i], efforts[i]);
     if (attempt.outcome == Outcome::Solved) {
       accept(attempt);
@@ -161,7 +167,8 @@ std::vector<Attempt> Closing::attempts(std::span<const Region> regions,
             : std::min<std::size_t>(options_.threads, regions.size());
     for (std::size_t k = 1; k < n; ++k)
       others.emplace_back([&] {
-        RegionSolver solver(triangulation_, options_, surface_, is_open_);
+        RegionSolver solver(triangulation_, options_, surface_, is_open_,
+                            groups_);
         work(solver);
         conflicts += solver.conflicts();
         if (solver.is_timed_out()) is_timed_out = true;
@@ -341,6 +348,18 @@ void Closing::label_cells() {
       {options_.weight, options_.piece_triangles, options_.stop});
   result_.triangles = std::move(labelled.triangles);
   dropped_ = std::move(labelled.left_out);
+}
+
+void Closing::repair_locally() {
+  ClosingOptions options = options_;
+  options.on_program = {};
+  options.seconds = std::max(0.0, solver_.seconds_left());
+  LocalRepair repaired =
+      umbrella::repair_locally(triangulation_, options, result_.triangles);
+  result_.report.pieces_joined = repaired.pieces_joined;
+  result_.report.brought_in = repaired.brought_in;
+  result_.report.handles_removed = repaired.handles_removed;
+  dropped_ = std::move(repaired.left_out);
 }
 
 void Closing::list_dropped(std::vector<VertexId> dropped) {

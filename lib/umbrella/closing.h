@@ -57,6 +57,14 @@ struct ClosingOptions {
   /// are cut off as long as some other solution exists.
   std::size_t piece_triangles = 12;
   double piece_part = 0.02;
+  /// Likewise those of at most joined_part * 2 m triangles, m being the points
+  /// that hang together with theirs: by Delaunay edges at most twice as long as
+  /// some edge of the cleaned triangles at either end.
+  double joined_part = 0.4;
+  /// Once the surface is closed, handles that a loop of at most so many edges
+  /// goes round are removed where a surface through the same points has none;
+  /// 0 to keep all.
+  unsigned handle_edges = 5;
   /// Regions are solved on so many threads, with the same result for any
   /// number; what has no solution as it is grows on one.
   unsigned threads = 1;
@@ -81,11 +89,14 @@ struct ClosingReport {
   std::size_t largest_region_vertices = 0;
   std::size_t candidate_triangles = 0;
   std::size_t variables = 0;
-  std::size_t feasible = 0;    ///< regions closed
-  std::size_t infeasible = 0;  ///< regions without, as far as they may grow
-  std::size_t undecided = 0;   ///< regions given up at a limit
-  std::size_t grown = 0;       ///< regions closed after growing
-  std::size_t labelled = 0;    ///< of those given up, closed by cell labels
+  std::size_t feasible = 0;       ///< regions closed
+  std::size_t infeasible = 0;     ///< regions without, as far as they may grow
+  std::size_t undecided = 0;      ///< regions given up at a limit
+  std::size_t grown = 0;          ///< regions closed after growing
+  std::size_t labelled = 0;       ///< of those given up, closed by cell labels
+  std::size_t pieces_joined = 0;  ///< to others, once all was closed
+  std::size_t brought_in = 0;     ///< points that had been left out
+  std::size_t handles_removed = 0;
   std::uint64_t conflicts = 0;
   bool timed_out = false;  ///< the wall clock cut a search short
 };

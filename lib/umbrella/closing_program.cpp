@@ -141,6 +141,13 @@ void ClosingProgram::let_drop(VertexId v, std::span<const Member> members) {
   droppable_.push_back({v, is_dropped});
 }
 
+void ClosingProgram::demand_fewer(std::size_t n_triangles) {
+  std::vector<ilp::Term> sum(n_candidates_);
+  for (std::uint32_t i = 0; i < sum.size(); ++i) sum[i] = {ilp::VarId{i}, 1};
+  problem_.add_linear(sum, static_cast<std::int64_t>(freed_.size()) -
+                               static_cast<std::int64_t>(n_triangles));
+}
+
 std::vector<VertexId> ClosingProgram::vertices_of(const ilp::Core& core) const {
   std::vector<VertexId> result;
   for (const auto& [kind, i] : core.constraints) {

@@ -34,6 +34,9 @@ class ClosingProgram {
     if (!walls.empty()) problem_.add_sides(walls);
   }
 
+  /// Asks for at least so many candidates fewer than are on the surface.
+  void demand_fewer(std::size_t n_triangles);
+
   const ilp::Problem& problem() const { return problem_; }
   std::size_t n_candidates() const { return n_candidates_; }
   /// Corners of candidates and the region's vertices; ascending.

@@ -110,6 +110,9 @@ bool PieceFinder::explore(VertexId start, const Change& change,
     for (std::size_t i = first; i < reached_.size(); ++i)
       piece_of_[index(reached_[i])] = kLarge;
   std::sort(piece.vertices.begin(), piece.vertices.end());
+  if (!is_large)
+    piece.all_vertices.assign(
+        reached_.begin() + static_cast<std::ptrdiff_t>(first), reached_.end());
   return !is_large;
 }
 

@@ -16,6 +16,7 @@ struct Piece {
   std::size_t n_triangles = 0;
   /// Corners of its triangles from the program at hand; ascending.
   std::vector<VertexId> vertices;
+  std::vector<VertexId> all_vertices;
 };
 
 /// What a program would do to a surface.

@@ -13,9 +13,9 @@ namespace {
 /// propagation takes about 1 us (a region of 22000 vertices of a noisy scan).
 constexpr std::uint64_t kStepsPerVariable = 6;
 
-std::size_t largest_piece(const ClosingOptions& options, std::size_t n) {
-  const double part = options.piece_part * 2 * static_cast<double>(n);
-  return std::max(options.piece_triangles, static_cast<std::size_t>(part));
+/// Of the triangles of a surface through n points, but for a few.
+std::size_t part_of(double part, std::size_t n) {
+  return static_cast<std::size_t>(part * 2 * static_cast<double>(n));
 }
 
 bool is_among(const Piece& piece, std::span<const Piece> pieces) {
@@ -58,14 +58,19 @@ struct RegionSolver::Work {
 RegionSolver::RegionSolver(const delaunay::Triangulation3& triangulation,
                            const ClosingOptions& options,
                            const WorkingSurface& surface,
-                           const std::vector<bool>& is_open)
+                           const std::vector<bool>& is_open,
+                           PointGroups& groups)
     : options_(options),
       surface_(surface),
       is_open_(is_open),
       neighborhoods_(triangulation),
       badness_(triangulation, options.weight),
+      groups_(groups),
+      small_piece_(std::max(options.piece_triangles,
+                            part_of(options.piece_part, surface.n_vertices()))),
       piece_finder_(surface,
-                    largest_piece(options, triangulation.points().size())),
+                    std::max(small_piece_, part_of(options.joined_part,
+                                                   surface.n_vertices()))),
       start_(std::chrono::steady_clock::now()) {}
 
 Attempt RegionSolver::attempt(const Region& region, Effort& effort,
@@ -73,6 +78,7 @@ Attempt RegionSolver::attempt(const Region& region, Effort& effort,
   std::vector<LocatedTriangle> candidates = neighborhoods_.candidates(region);
   ClosingProgram program(surface_, candidates, vertices_of(region, candidates),
                          how.may_drop);
+  if (how.fewer_triangles > 0) program.demand_fewer(how.fewer_triangles);
   Work work(std::move(candidates), std::move(program));
   work.allowed = how.allowed;
   if (options_.on_program) work.solver.keep_cycles();
@@ -120,11 +126,12 @@ bool RegionSolver::solve_in_order(Work& work) {
   return true;
 }
 
-bool RegionSolver::closes_small_piece(const Attempt& solved) {
-  return options_.mode == CloseMode::Best &&
-         !piece_finder_
-              .find({solved.freed, solved.chosen, solved.vertices}, is_open_)
-              .empty();
+bool RegionSolver::closes_fragment(const Attempt& solved) {
+  if (options_.mode == CloseMode::Paper) return false;
+  const std::vector<Piece> pieces = piece_finder_.find(
+      {solved.freed, solved.chosen, solved.vertices}, is_open_);
+  return std::any_of(pieces.begin(), pieces.end(),
+                     [this](const Piece& piece) { return is_fragment(piece); });
 }
 
 std::vector<VertexId> RegionSolver::vertices(const Region& region) {
@@ -279,7 +286,7 @@ bool RegionSolver::read_model(Work& work) {
   bool is_good = true;
   for (const Piece& piece : piece_finder_.find(
            {result.freed, result.chosen, result.vertices}, is_open_)) {
-    if (is_among(piece, work.allowed)) continue;
+    if (is_among(piece, work.allowed) || !is_fragment(piece)) continue;
     is_good = false;
     cut(work, piece);
   }
@@ -300,6 +307,15 @@ void RegionSolver::cut(Work& work, const Piece& piece) {
   }
   work.add_clause(std::move(clause));
   work.result.pieces.push_back(piece);
+}
+
+/// Whether the piece is so small a part of all points, or of those that hang
+/// together with its own, that it should not be one.
+bool RegionSolver::is_fragment(const Piece& piece) {
+  return piece.n_triangles <= small_piece_ ||
+         piece.n_triangles <=
+             part_of(options_.joined_part,
+                     groups_.n_points_with(piece.all_vertices));
 }
 
 /// What was found out, and whether the clock came first.

@@ -15,6 +15,7 @@
 #include "umbrella/closing.h"
 #include "umbrella/closing_program_internal.h"
 #include "umbrella/pieces_internal.h"
+#include "umbrella/point_groups_internal.h"
 #include "umbrella/region_internal.h"
 #include "umbrella/working_surface_internal.h"
 
@@ -60,15 +61,18 @@ struct AttemptOptions {
   bool accept_drops = true;
   /// Small closed pieces that may be.
   std::span<const Piece> allowed = {};
+  /// At least so many triangles fewer than there are.
+  std::size_t fewer_triangles = 0;
 };
 
 class RegionSolver {
  public:
-  /// @param triangulation, options, surface, is_open  must outlive this
-  ///   object; the last two may change between calls
+  /// @param triangulation, options, surface, is_open, groups  must outlive
+  ///   this object; surface and is_open may change between calls, groups may
+  ///   be shared by several threads
   RegionSolver(const delaunay::Triangulation3& triangulation,
                const ClosingOptions& options, const WorkingSurface& surface,
-               const std::vector<bool>& is_open);
+               const std::vector<bool>& is_open, PointGroups& groups);
 
   /// @param effort  half of it may be taken, and is taken off
   Attempt attempt(const Region& region, Effort& effort,
@@ -76,7 +80,7 @@ class RegionSolver {
 
   /// Whether it would close a small piece, on the surface as it is now. May say
   /// so of a solved attempt once other regions are done with.
-  bool closes_small_piece(const Attempt& solved);
+  bool closes_fragment(const Attempt& solved);
 
   /// All vertices the program of the region would have; ascending.
   std::vector<VertexId> vertices(const Region& region);
@@ -84,6 +88,7 @@ class RegionSolver {
   std::size_t n_candidates(const Region& region) {
     return neighborhoods_.candidates(region).size();
   }
+  double seconds_left() const;
   bool is_stopped() const { return options_.stop != nullptr && *options_.stop; }
 
   Neighborhoods& neighborhoods() { return neighborhoods_; }
@@ -105,8 +110,8 @@ class RegionSolver {
   static std::vector<VertexId> bare_vertices(const Work& work);
   bool read_model(Work& work);
   void cut(Work& work, const Piece& piece);
+  bool is_fragment(const Piece& piece);
   ilp::Limits limits(const Work& work) const;
-  double seconds_left() const;
   void note(Work& work, ilp::Status status);
   void note_limit();
   void tell(Work& work);
@@ -116,6 +121,8 @@ class RegionSolver {
   const std::vector<bool>& is_open_;
   Neighborhoods neighborhoods_;
   Badness badness_;
+  PointGroups& groups_;
+  std::size_t small_piece_;
   PieceFinder piece_finder_;
   std::uint64_t conflicts_ = 0;
   bool is_timed_out_ = false;

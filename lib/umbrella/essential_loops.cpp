@@ -1,0 +1,248 @@
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+#include "umbrella/essential_loops_internal.h"
+
+namespace umbrella {
+namespace {
+
+constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+constexpr std::size_t kBits = 64;
+
+}  // namespace
+
+EssentialLoops::EssentialLoops(std::size_t n_vertices,
+                               std::span<const Triangle> triangles) {
+  begin_.assign(n_vertices + 1, 0);
+  find_edges(triangles);
+  find_spokes();
+  label_edges(spanning_forest());
+  step_of_vertex_.assign(n_vertices, kNone);
+}
+
+/// By their smaller end, then by the other.
+void EssentialLoops::find_edges(std::span<const Triangle> triangles) {
+  struct Side {
+    VertexId end;
+    std::uint32_t face;
+  };
+  const auto for_each_side = [&](auto visit) {
+    for (std::uint32_t f = 0; f < triangles.size(); ++f) {
+      const auto& [a, b, c] = triangles[f];  // ascending
+      visit(a, Side{b, f});
+      visit(a, Side{c, f});
+      visit(b, Side{c, f});
+    }
+  };
+  std::vector<std::size_t> last(begin_.size());
+  for_each_side([&](VertexId v, const Side&) { ++last[index(v) + 1]; });
+  std::partial_sum(last.begin(), last.end(), last.begin());
+  std::vector<Side> sides(3 * triangles.size());
+  for_each_side(
+      [&](VertexId v, const Side& s) { sides[last[index(v)]++] = s; });
+
+  edges_of_face_.assign(triangles.size(), {kNone, kNone, kNone});
+  std::size_t i = 0;
+  for (std::uint32_t v = 0; v + 1 < begin_.size(); ++v) {
+    std::sort(sides.begin() + static_cast<std::ptrdiff_t>(i),
+              sides.begin() + static_cast<std::ptrdiff_t>(last[v]),
+              [](const Side& a, const Side& b) { return a.end < b.end; });
+    for (; i < last[v]; i += 2)
+      add_edge(
+          {{VertexId{v}, sides[i].end}, {sides[i].face, sides[i + 1].face}});
+  }
+}
+
+void EssentialLoops::add_edge(const Edge& edge) {
+  for (const std::uint32_t f : edge.faces)
+    *std::find(edges_of_face_[f].begin(), edges_of_face_[f].end(), kNone) =
+        static_cast<std::uint32_t>(edges_.size());
+  edges_.push_back(edge);
+}
+
+void EssentialLoops::find_spokes() {
+  for (const Edge& edge : edges_)
+    for (const VertexId v : edge.ends) ++begin_[index(v) + 1];
+  std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+  spokes_.resize(2 * edges_.size());
+  std::vector<std::size_t> next(begin_.begin(), begin_.end() - 1);
+  for (std::uint32_t e = 0; e < edges_.size(); ++e) {
+    const auto& [a, b] = edges_[e].ends;
+    spokes_[next[index(a)]++] = {b, e};
+    spokes_[next[index(b)]++] = {a, e};
+  }
+}
+
+/// By edge.
+std::vector<bool> EssentialLoops::spanning_forest() const {
+  std::vector<bool> in_forest(edges_.size());
+  std::vector<bool> is_met(begin_.size() - 1);
+  std::vector<VertexId> queue;
+  for (std::uint32_t root = 0; root < is_met.size(); ++root) {
+    if (is_met[root]) continue;
+    is_met[root] = true;
+    queue = {VertexId{root}};
+    for (std::size_t i = 0; i < queue.size(); ++i)
+      for (const auto& [end, edge] : spokes(queue[i])) {
+        if (is_met[index(end)]) continue;
+        is_met[index(end)] = true;
+        in_forest[edge] = true;
+        queue.push_back(end);
+      }
+  }
+  return in_forest;
+}
+
+/// Each face's edge towards the root of its component, kNone at roots; faces
+/// before those that they lead to in `order`.
+std::vector<std::uint32_t> EssentialLoops::dual_forest(
+    const std::vector<bool>& in_forest,
+    std::vector<std::uint32_t>& order) const {
+  const std::size_t n_faces = edges_of_face_.size();
+  std::vector<std::uint32_t> entry(n_faces, kNone);
+  std::vector<bool> is_met(n_faces);
+  for (std::uint32_t root = 0; root < n_faces; ++root) {
+    if (is_met[root]) continue;
+    is_met[root] = true;
+    std::size_t next = order.size();
+    for (order.push_back(root); next < order.size(); ++next)
+      for (const std::uint32_t e : edges_of_face_[order[next]]) {
+        const std::uint32_t beyond = across(order[next], e);
+        if (in_forest[e] || is_met[beyond]) continue;
+        is_met[beyond] = true;
+        entry[beyond] = e;
+        order.push_back(beyond);
+      }
+  }
+  return entry;
+}
+
+/// With the ends of each generator's dual edge marked, a dual edge is on the
+/// way between them if an odd number of marks lies beyond it.
+void EssentialLoops::label_edges(const std::vector<bool>& in_forest) {
+  std::vector<std::uint32_t> order;
+  const std::vector<std::uint32_t> entry = dual_forest(in_forest, order);
+  std::vector<bool> is_generator(in_forest);
+  is_generator.flip();
+  for (const std::uint32_t e : entry)
+    if (e != kNone) is_generator[e] = false;
+  n_generators_ = static_cast<std::size_t>(
+      std::count(is_generator.begin(), is_generator.end(), true));
+  n_words_ = (n_generators_ + kBits - 1) / kBits;
+
+  label_.assign(edges_.size() * n_words_, 0);
+  std::vector<Word> marks(edges_of_face_.size() * n_words_);
+  for (std::size_t e = 0, g = 0; e < edges_.size(); ++e) {
+    if (!is_generator[e]) continue;
+    const Word bit = Word{1} << (g % kBits);
+    label_[e * n_words_ + g / kBits] ^= bit;
+    for (const std::uint32_t f : edges_[e].faces)
+      marks[f * n_words_ + g / kBits] ^= bit;
+    ++g;
+  }
+  for (auto f = order.rbegin(); f != order.rend(); ++f) {
+    if (entry[*f] == kNone) continue;
+    const std::uint32_t parent = across(*f, entry[*f]);
+    for (std::size_t w = 0; w < n_words_; ++w) {
+      label_[entry[*f] * n_words_ + w] ^= marks[*f * n_words_ + w];
+      marks[parent * n_words_ + w] ^= marks[*f * n_words_ + w];
+    }
+  }
+}
+
+bool EssentialLoops::is_labelled(std::uint32_t edge) const {
+  const auto label = std::span(label_).subspan(edge * n_words_, n_words_);
+  return std::any_of(label.begin(), label.end(),
+                     [](Word word) { return word != 0; });
+}
+
+/// An essential loop has a labelled edge; so none of its vertices is more than
+/// half its length away from one.
+std::vector<bool> EssentialLoops::starts(unsigned max_edges) const {
+  std::vector<bool> is_start(begin_.size() - 1);
+  for (std::uint32_t e = 0; e < edges_.size(); ++e)
+    if (is_labelled(e))
+      for (const VertexId v : edges_[e].ends) is_start[index(v)] = true;
+  for (unsigned ring = 0; ring < max_edges / 2; ++ring) {
+    const std::vector<bool> inner = is_start;
+    for (const Edge& edge : edges_)
+      if (const auto& [a, b] = edge.ends; inner[index(a)] || inner[index(b)])
+        is_start[index(a)] = is_start[index(b)] = true;
+  }
+  return is_start;
+}
+
+std::vector<std::vector<VertexId>> EssentialLoops::shortest(
+    unsigned max_edges) {
+  const std::vector<bool> is_start = starts(max_edges);
+  std::vector<std::vector<VertexId>> loops;
+  for (std::uint32_t v = 0; v < is_start.size(); ++v) {
+    if (!is_start[v]) continue;
+    loops.push_back(shortest_through(VertexId{v}, max_edges));
+    if (loops.back().empty()) loops.pop_back();
+  }
+  std::sort(loops.begin(), loops.end(), [](const auto& a, const auto& b) {
+    return a.size() != b.size() ? a.size() < b.size() : a < b;
+  });
+  loops.erase(std::unique(loops.begin(), loops.end()), loops.end());
+  return loops;
+}
+
+std::vector<VertexId> EssentialLoops::shortest_through(VertexId start,
+                                                       unsigned max_edges) {
+  walk(start, max_edges / 2);
+  unsigned best = max_edges + 1;
+  std::array<std::uint32_t, 2> last = {0, 0};
+  for (std::uint32_t a = 0; a < steps_.size(); ++a)
+    for (const auto& [end, edge] : spokes(steps_[a].vertex)) {
+      const std::uint32_t b = step_of_vertex_[index(end)];
+      if (b == kNone || b <= a) continue;
+      const unsigned length = steps_[a].depth + steps_[b].depth + 1;
+      if (length >= best || !is_essential(a, b, edge)) continue;
+      best = length;
+      last = {a, b};
+    }
+  std::vector<VertexId> loop;
+  if (best <= max_edges) {
+    for (std::uint32_t at : last) {
+      for (; at != 0; at = steps_[at].from) loop.push_back(steps_[at].vertex);
+    }
+    loop.push_back(start);
+    std::sort(loop.begin(), loop.end());
+    loop.erase(std::unique(loop.begin(), loop.end()), loop.end());
+  }
+  for (const Step& step : steps_) step_of_vertex_[index(step.vertex)] = kNone;
+  return loop;
+}
+
+/// To all vertices within so many edges; the start is step 0.
+void EssentialLoops::walk(VertexId start, unsigned max_depth) {
+  steps_ = {{start, 0, 0}};
+  label_of_step_.assign(n_words_, 0);
+  step_of_vertex_[index(start)] = 0;
+  for (std::uint32_t i = 0; i < steps_.size(); ++i) {
+    if (steps_[i].depth == max_depth) break;
+    for (const auto& [end, edge] : spokes(steps_[i].vertex)) {
+      if (step_of_vertex_[index(end)] != kNone) continue;
+      step_of_vertex_[index(end)] = static_cast<std::uint32_t>(steps_.size());
+      steps_.push_back({end, i, steps_[i].depth + 1});
+      for (std::size_t w = 0; w < n_words_; ++w)
+        label_of_step_.push_back(label_of_step_[i * n_words_ + w] ^
+                                 label_[edge * n_words_ + w]);
+    }
+  }
+}
+
+/// Whether the loop that the edge between two steps closes does not part the
+/// surface.
+bool EssentialLoops::is_essential(std::size_t a, std::size_t b,
+                                  std::uint32_t edge) const {
+  for (std::size_t w = 0; w < n_words_; ++w)
+    if ((label_of_step_[a * n_words_ + w] ^ label_of_step_[b * n_words_ + w] ^
+         label_[edge * n_words_ + w]) != 0)
+      return true;
+  return false;
+}
+
+}  // namespace umbrella

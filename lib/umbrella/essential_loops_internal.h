@@ -1,0 +1,88 @@
+/// @file
+/// Short loops of a closed surface that do not bound on it.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "umbrella/triangle.h"
+
+namespace umbrella {
+
+/// The homology of a closed surface with coefficients in Z/2: each edge has a
+/// label of one bit a generator, and a loop of edges parts its component, as
+/// every loop of a sphere does, if its labels add up to zero.
+///
+/// An edge that is in neither a spanning forest of the edges nor one of the
+/// dual edges is a generator [Eppstein03]; its bit is set on the edges that the
+/// cycle of its dual edge with the dual forest crosses.
+class EssentialLoops {
+ public:
+  /// @param triangles  of a closed surface: each edge has two
+  EssentialLoops(std::size_t n_vertices, std::span<const Triangle> triangles);
+
+  /// Twice the number of handles.
+  std::size_t n_generators() const { return n_generators_; }
+
+  /// For each vertex, the vertices of a shortest loop through it that does not
+  /// part the surface, if it has at most `max_edges` edges; ascending. The
+  /// short ones first, each once.
+  std::vector<std::vector<VertexId>> shortest(unsigned max_edges);
+
+ private:
+  struct Edge {
+    std::array<VertexId, 2> ends;
+    std::array<std::uint32_t, 2> faces;
+  };
+  struct Spoke {
+    VertexId end;
+    std::uint32_t edge;
+  };
+  /// A vertex met, and how.
+  struct Step {
+    VertexId vertex;
+    std::uint32_t from;  // position among the steps
+    unsigned depth;
+  };
+  using Word = std::uint64_t;
+
+  void find_edges(std::span<const Triangle> triangles);
+  void add_edge(const Edge& edge);
+  void find_spokes();
+  std::vector<bool> spanning_forest() const;
+  std::vector<std::uint32_t> dual_forest(
+      const std::vector<bool>& in_forest,
+      std::vector<std::uint32_t>& order) const;
+  void label_edges(const std::vector<bool>& in_forest);
+  std::uint32_t across(std::uint32_t face, std::uint32_t edge) const {
+    const auto& [f, g] = edges_[edge].faces;
+    return f == face ? g : f;
+  }
+  std::span<const Spoke> spokes(VertexId v) const {
+    return std::span(spokes_).subspan(begin_[index(v)],
+                                      begin_[index(v) + 1] - begin_[index(v)]);
+  }
+  bool is_labelled(std::uint32_t edge) const;
+  std::vector<bool> starts(unsigned max_edges) const;
+  std::vector<VertexId> shortest_through(VertexId start, unsigned max_edges);
+  void walk(VertexId start, unsigned max_depth);
+  bool is_essential(std::size_t a, std::size_t b, std::uint32_t edge) const;
+
+  std::vector<Edge> edges_;
+  std::vector<std::array<std::uint32_t, 3>> edges_of_face_;
+  std::vector<Spoke> spokes_;
+  std::vector<std::size_t> begin_;
+  std::size_t n_generators_ = 0;
+  std::size_t n_words_ = 0;
+  std::vector<Word> label_;  // of edge e: n_words_ from e * n_words_
+
+  // Scratch.
+  std::vector<Step> steps_;
+  std::vector<Word> label_of_step_;
+  std::vector<std::uint32_t> step_of_vertex_;
+};
+
+}  // namespace umbrella

@@ -1,0 +1,39 @@
+/// @file
+/// Better topology about single places of a surface that is closed.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "delaunay/triangulation3.h"
+#include "umbrella/closing.h"
+#include "umbrella/triangle.h"
+
+namespace umbrella {
+
+struct LocalRepair {
+  std::size_t pieces_joined = 0;
+  std::size_t brought_in = 0;
+  std::size_t handles_removed = 0;
+  std::vector<VertexId> left_out;  ///< on no triangle; ascending
+};
+
+/// Solves programs of a few vertices, with all else as it is, on all of which
+/// so much effort is spent as on one region:
+///
+/// - about each small closed piece that hangs together with others, for a
+///   surface of fewer components;
+/// - about each point that is left out, for one through it;
+/// - about each loop of at most options.handle_edges edges that goes round a
+///   handle, for one through the same points without: with all points used,
+///   one handle less is four triangles less.
+///
+/// No point is lost, and components never become more.
+///
+/// @param triangles  of a closed manifold surface, by ascending corners;
+///   changed where something was repaired
+LocalRepair repair_locally(const delaunay::Triangulation3& triangulation,
+                           const ClosingOptions& options,
+                           std::vector<LocatedTriangle>& triangles);
+
+}  // namespace umbrella

@@ -1,0 +1,42 @@
+/// @file
+/// Which points hang together, by their spacing.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <mutex>
+#include <span>
+#include <vector>
+
+#include "delaunay/triangulation3.h"
+#include "umbrella/triangle.h"
+
+namespace umbrella {
+
+/// Points are in one group if Delaunay edges lead from one to the other that
+/// are at most twice as long as the longest edge of the triangles at either
+/// end. At a point without triangles every edge counts as short.
+class PointGroups {
+ public:
+  /// Groups are found when first asked for.
+  /// @param triangulation, triangles  must outlive this object
+  PointGroups(const delaunay::Triangulation3& triangulation,
+              std::span<const RankedTriangle> triangles)
+      : triangulation_(triangulation), triangles_(triangles) {}
+
+  /// How many points the groups of these have together. May be called by
+  /// several threads.
+  std::size_t n_points_with(std::span<const VertexId> vertices);
+
+ private:
+  void find();
+  std::vector<double> squared_reach() const;
+
+  const delaunay::Triangulation3& triangulation_;
+  std::span<const RankedTriangle> triangles_;
+  std::once_flag is_found_;
+  std::vector<std::uint32_t> group_;     // by vertex: the first of the group
+  std::vector<std::uint32_t> n_points_;  // by first vertex
+};
+
+}  // namespace umbrella

@@ -1,0 +1,275 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <set>
+#include <string_view>
+#include <vector>
+
+#include "apps/shapes.h"
+#include "umbrella/cell_labels.h"
+#include "umbrella/certificate.h"
+#include "umbrella/clean_up.h"
+#include "umbrella/criterion.h"
+#include "umbrella/essential_loops_internal.h"
+#include "umbrella/filter.h"
+#include "umbrella/labelling_internal.h"
+#include "umbrella/local_repair_internal.h"
+#include "umbrella/point_groups_internal.h"
+#include "umbrella/reconstruct.h"
+
+namespace umbrella {
+namespace {
+
+/// A torus of k x l squares, each cut along a diagonal.
+std::vector<Triangle> grid_torus(std::uint32_t k, std::uint32_t l,
+                                 std::uint32_t first) {
+  const auto at = [&](std::uint32_t i, std::uint32_t j) {
+    return VertexId{first + (i % k) * l + j % l};
+  };
+  std::vector<Triangle> triangles;
+  for (std::uint32_t i = 0; i < k; ++i)
+    for (std::uint32_t j = 0; j < l; ++j)
+      for (Triangle t : {Triangle{at(i, j), at(i + 1, j), at(i + 1, j + 1)},
+                         Triangle{at(i, j), at(i, j + 1), at(i + 1, j + 1)}}) {
+        std::sort(t.begin(), t.end());
+        triangles.push_back(t);
+      }
+  return triangles;
+}
+
+TEST(EssentialLoops, GoRoundATorusTheShortWay) {
+  EssentialLoops loops(5 * 9, grid_torus(5, 9, 0));
+  EXPECT_EQ(loops.n_generators(), 2U);
+  EXPECT_TRUE(loops.shortest(4).empty());
+  std::vector<bool> is_met(5 * 9);
+  for (const auto& loop : loops.shortest(5)) {
+    EXPECT_EQ(loop.size(), 5U);
+    for (const VertexId v : loop) is_met[index(v)] = true;
+  }
+  EXPECT_EQ(std::count(is_met.begin(), is_met.end(), true), 5 * 9);
+}
+
+TEST(EssentialLoops, AreThereOnSurfacesWithHandlesOnly) {
+  const std::vector<Triangle> tetrahedron = {
+      {VertexId{0}, VertexId{1}, VertexId{2}},
+      {VertexId{0}, VertexId{1}, VertexId{3}},
+      {VertexId{0}, VertexId{2}, VertexId{3}},
+      {VertexId{1}, VertexId{2}, VertexId{3}}};
+  EssentialLoops none(4, tetrahedron);
+  EXPECT_EQ(none.n_generators(), 0U);
+  EXPECT_TRUE(none.shortest(8).empty());
+
+  // Vertex 0 is on no triangle.
+  std::vector<Triangle> two = grid_torus(4, 6, 1);
+  const std::vector<Triangle> other = grid_torus(6, 7, 25);
+  two.insert(two.end(), other.begin(), other.end());
+  EssentialLoops loops(1 + 24 + 42, two);
+  EXPECT_EQ(loops.n_generators(), 4U);
+  for (const auto& loop : loops.shortest(5))
+    EXPECT_LT(loop.back(), VertexId{25});  // of the first torus
+  EXPECT_FALSE(loops.shortest(5).empty());
+}
+
+TEST(EssentialLoops, NeedMoreThanOneWordOfBits) {
+  std::vector<Triangle> all;
+  constexpr std::uint32_t kTori = 40;
+  for (std::uint32_t i = 0; i < kTori; ++i) {
+    const auto torus = grid_torus(3, 4, 12 * i);
+    all.insert(all.end(), torus.begin(), torus.end());
+  }
+  EssentialLoops loops(12 * kTori, all);
+  EXPECT_EQ(loops.n_generators(), 2 * kTori);
+  std::vector<bool> has_loop(kTori);
+  for (const auto& loop : loops.shortest(3))
+    has_loop[index(loop.front()) / 12] = true;
+  EXPECT_EQ(std::count(has_loop.begin(), has_loop.end(), true), kTori);
+}
+
+/// A sphere and one of half its radius, as densely sampled and with noise, some
+/// spacings apart. The large one first.
+constexpr std::size_t kLarge = 1200, kSmall = kLarge / 4;
+
+std::vector<Point3> two_spheres(double gap, std::uint64_t seed) {
+  const double spacing =
+      std::sqrt(4 * std::numbers::pi / static_cast<double>(kLarge));
+  std::vector<Point3> points;
+  for (Point3 p :
+       shapes::sample("sphere", kLarge, {.seed = seed, .noise = 0.2}))
+    points.push_back(p);
+  for (Point3 p :
+       shapes::sample("sphere", kSmall, {.seed = seed, .noise = 0.2}))
+    points.emplace_back(p / 2 + Point3(1.5 + gap * spacing, 0.01, 0.02));
+  return points;
+}
+
+TEST(PointGroups, ArePartedByGapsOnly) {
+  for (const double gap : {0.5, 4.0}) {
+    SCOPED_TRACE(testing::Message() << "gap " << gap);
+    const delaunay::Triangulation3 triangulation(two_spheres(gap, 3));
+    const auto ranked = ranked_triangles(triangulation);
+    const auto filtered =
+        umbrella_filter(triangulation.points().size(), ranked);
+    PointGroups groups(triangulation, filtered.triangles);
+    const auto rows = triangulation.vertex_of_row();
+    const std::size_t n_all = kLarge + kSmall;
+    EXPECT_EQ(groups.n_points_with(rows.first(1)), gap > 1 ? kLarge : n_all);
+    EXPECT_EQ(groups.n_points_with(rows.last(2)), gap > 1 ? kSmall : n_all);
+    EXPECT_EQ(groups.n_points_with(std::array{rows.front(), rows.back()}),
+              n_all);
+  }
+}
+
+TEST(Topology, KeepsSpheresApartThatHaveAGapBetweenThem) {
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    const Reconstruction result = reconstruct(two_spheres(4, seed));
+    EXPECT_GT(result.closing.regions, 0U);
+    EXPECT_EQ(result.surface.components, 2U);
+    EXPECT_EQ(result.surface.genus, 0);
+    EXPECT_TRUE(result.surface.unused_vertices.empty());
+  }
+}
+
+/// A tube about an arc, with round ends half a spacing apart.
+std::vector<Point3> horseshoe(std::uint64_t seed) {
+  constexpr double kTube = 0.25, kSpacing = 0.09, kGap = 2 * kTube + 0.05;
+  constexpr double kHalf = std::numbers::pi - kGap / 2;
+  std::mt19937_64 rng(seed);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  std::vector<Point3> points;
+  for (int i = 0; i < 40'000; ++i) {
+    const double start = unit(rng) * kHalf;
+    Point3 p = Point3(std::cos(start), std::sin(start), 0) +
+               kTube * Point3(unit(rng), unit(rng), unit(rng));
+    const double angle = std::clamp(std::atan2(p.y(), p.x()), -kHalf, kHalf);
+    const Point3 center(std::cos(angle), std::sin(angle), 0);
+    p = center + kTube * (p - center).normalized();
+    if (std::all_of(points.begin(), points.end(), [&](const Point3& q) {
+          return (p - q).norm() >= kSpacing;
+        }))
+      points.push_back(p);
+  }
+  return points;
+}
+
+TEST(Topology, LosesHandlesThatTheSamplingDoesNotMean) {
+  std::size_t n_removed = 0;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    const std::vector<Point3> points = horseshoe(seed);
+    ReconstructOptions options;
+    options.closing.handle_edges = 0;
+    const Reconstruction before = reconstruct(points, options);
+    const Reconstruction after = reconstruct(points);
+    EXPECT_EQ(before.surface.genus.value() -
+                  static_cast<std::int64_t>(after.closing.handles_removed),
+              after.surface.genus);
+    EXPECT_EQ(after.surface.components, 1U);
+    EXPECT_TRUE(after.surface.manifold && after.surface.outward);
+    EXPECT_TRUE(after.surface.unused_vertices.empty());
+    EXPECT_EQ(after.surface.triangles + 4 * after.closing.handles_removed,
+              before.surface.triangles);
+    n_removed += after.closing.handles_removed;
+  }
+  EXPECT_GT(n_removed, 0U);
+}
+
+TEST(Topology, KeepsHandlesThatAreSampled) {
+  for (const std::string_view shape : {"torus", "3holes"}) {
+    SCOPED_TRACE(shape);
+    const Reconstruction result = reconstruct(shapes::sample(shape, 2500));
+    EXPECT_EQ(result.surface.genus, shape == "torus" ? 1 : 3);
+    EXPECT_EQ(result.closing.handles_removed, 0U);
+  }
+}
+
+SurfaceReport judged(const delaunay::Triangulation3& triangulation,
+                     std::span<const LocatedTriangle> triangles) {
+  std::vector<IndexedTriangle> indexed;
+  for (const LocatedTriangle& t : triangles) {
+    const auto& [a, b, c] = t.corners;
+    indexed.push_back({static_cast<std::uint32_t>(a),
+                       static_cast<std::uint32_t>(b),
+                       static_cast<std::uint32_t>(c)});
+  }
+  return check_surface(triangulation.points(), indexed);
+}
+
+/// Cuts off corners with three triangles; @return their vertices
+std::vector<VertexId> cut_corners(const delaunay::Triangulation3& triangulation,
+                                  std::vector<LocatedTriangle>& triangles) {
+  std::set<Triangle> surface;
+  std::vector<int> degree(triangulation.points().size());
+  for (const LocatedTriangle& t : triangles) {
+    surface.insert(t.corners);
+    for (const VertexId v : t.corners) ++degree[index(v)];
+  }
+  std::vector<VertexId> cut;
+  for (std::uint32_t i = 0; i < 4 * triangulation.n_finite_cells(); ++i) {
+    const delaunay::Facet facet(delaunay::CellId{i / 4}, i % 4);
+    const VertexId v = triangulation.cell(facet.cell()).vertex[i % 4];
+    int n_at_v = 0;
+    for (unsigned k = 0; k < 4; ++k)
+      n_at_v += surface.count(sorted_corners(
+                    triangulation, delaunay::Facet(facet.cell(), k))) > 0 &&
+                k != i % 4;
+    if (n_at_v < 3 || degree[index(v)] != 3) continue;
+    const Triangle base = sorted_corners(triangulation, facet);
+    if (!surface.insert(base).second) continue;
+    cut.push_back(v);
+    std::erase_if(triangles, [&](const LocatedTriangle& t) {
+      return std::find(t.corners.begin(), t.corners.end(), v) !=
+             t.corners.end();
+    });
+    triangles.push_back({base, facet});
+    for (const VertexId w : base) degree[index(w)] = 0;  // not these, too
+    degree[index(v)] = 0;
+  }
+  std::sort(triangles.begin(), triangles.end(),
+            [](const auto& a, const auto& b) { return a.corners < b.corners; });
+  return cut;
+}
+
+/// @return how many points were left out
+std::size_t expect_brought_in(const delaunay::Triangulation3& triangulation) {
+  std::vector<VertexId> open(triangulation.vertex_of_row().begin(),
+                             triangulation.vertex_of_row().end());
+  std::sort(open.begin(), open.end());
+  const auto ranked = ranked_triangles(triangulation);
+  std::vector<LocatedTriangle> certain;
+  for (const RankedTriangle& t : clean_up(open.size(), ranked).triangles)
+    certain.push_back({t.corners, t.facet});
+  auto triangles = close_by_cell_labels(triangulation, certain, open).triangles;
+  const SurfaceReport before = judged(triangulation, triangles);
+  const std::vector<VertexId> cut = cut_corners(triangulation, triangles);
+  const std::size_t n_out = before.unused_vertices.size() + cut.size();
+  EXPECT_EQ(judged(triangulation, triangles).unused_vertices.size(), n_out);
+
+  const LocalRepair repaired = repair_locally(triangulation, {}, triangles);
+  const SurfaceReport after = judged(triangulation, triangles);
+  EXPECT_TRUE(after.closed && after.manifold);
+  EXPECT_EQ(after.components, 1U);
+  EXPECT_EQ(after.genus, before.genus);
+  EXPECT_TRUE(after.unused_vertices.empty());
+  EXPECT_TRUE(repaired.left_out.empty());
+  EXPECT_EQ(repaired.brought_in, n_out);
+  return n_out;
+}
+
+TEST(LocalRepair, BringsInPointsThatAreLeftOut) {
+  std::size_t n_out = 0;
+  for (const std::string_view shape : {"sphere", "torus", "3holes"})
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+      SCOPED_TRACE(testing::Message() << shape << ", seed " << seed);
+      n_out += expect_brought_in(delaunay::Triangulation3(
+          shapes::sample(shape, 1000, {.seed = seed, .noise = 0.3})));
+    }
+  EXPECT_GE(n_out, 4U);
+}
+
+}  // namespace
+}  // namespace umbrella
