@@ -135,8 +135,8 @@ void orientation(benchmark::State& state, const char* shape) {
 void certificate(benchmark::State& state, const char* shape) {
   const Stages s(shape, state.range(0));
   std::vector<umbrella::IndexedTriangle> rows;
-  for (const auto& [corners, facet, rank] : s.clean.triangles) {
-    const auto& [a, b, c] = corners;
+  for (const umbrella::RankedTriangle& triangle : s.clean.triangles) {
+    const auto& [a, b, c] = triangle.corners;
     rows.push_back({static_cast<std::uint32_t>(a),
                     static_cast<std::uint32_t>(b),
                     static_cast<std::uint32_t>(c)});
