@@ -110,7 +110,7 @@ struct ClosingResult {
 
 /// @param triangulation  whose triangles `cleaned` are; below dimension 3 it
 ///   has none, and all holes count as infeasible
-/// @param cleaned  what the clean-up has left; by ascending corners
+/// @param cleaned  what the clean-up has left
 /// @param holes  of `cleaned`; none may be missing
 ClosingResult close_holes(const delaunay::Triangulation3& triangulation,
                           std::span<const RankedTriangle> cleaned,
