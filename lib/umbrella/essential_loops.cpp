@@ -157,35 +157,51 @@ bool EssentialLoops::is_labelled(std::uint32_t edge) const {
                      [](Word word) { return word != 0; });
 }
 
-/// An essential loop has a labelled edge; so none of its vertices is more than
-/// half its length away from one.
-std::vector<bool> EssentialLoops::starts(unsigned max_edges) const {
-  std::vector<bool> is_start(begin_.size() - 1);
+/// By vertex: ends of a labelled edge.
+std::vector<bool> EssentialLoops::labelled_ends() const {
+  std::vector<bool> result(begin_.size() - 1);
   for (std::uint32_t e = 0; e < edges_.size(); ++e)
     if (is_labelled(e))
-      for (const VertexId v : edges_[e].ends) is_start[index(v)] = true;
-  for (unsigned ring = 0; ring < max_edges / 2; ++ring) {
-    const std::vector<bool> inner = is_start;
-    for (const Edge& edge : edges_)
-      if (const auto& [a, b] = edge.ends; inner[index(a)] || inner[index(b)])
-        is_start[index(a)] = is_start[index(b)] = true;
-  }
-  return is_start;
+      for (const VertexId v : edges_[e].ends) result[index(v)] = true;
+  return result;
 }
 
+/// With all vertices within so many edges.
+std::vector<bool> EssentialLoops::widened(std::vector<bool> vertices,
+                                          unsigned n_edges) const {
+  for (unsigned ring = 0; ring < n_edges; ++ring) {
+    const std::vector<bool> inner = vertices;
+    for (const Edge& edge : edges_)
+      if (const auto& [a, b] = edge.ends; inner[index(a)] || inner[index(b)])
+        vertices[index(a)] = vertices[index(b)] = true;
+  }
+  return vertices;
+}
+
+/// An essential loop has a labelled edge. So if none goes through the end of
+/// one, there is none; and no vertex of a loop is more than half its length
+/// away from such an end.
 std::vector<std::vector<VertexId>> EssentialLoops::shortest(
     unsigned max_edges) {
-  const std::vector<bool> is_start = starts(max_edges);
-  std::vector<std::vector<VertexId>> loops;
-  for (std::uint32_t v = 0; v < is_start.size(); ++v) {
-    if (!is_start[v]) continue;
-    loops.push_back(shortest_through(VertexId{v}, max_edges));
-    if (loops.back().empty()) loops.pop_back();
-  }
+  std::vector<bool> starts = labelled_ends();
+  std::vector<std::vector<VertexId>> loops = shortest(starts, max_edges);
+  if (loops.empty()) return loops;
+  loops = shortest(widened(std::move(starts), max_edges / 2), max_edges);
   std::sort(loops.begin(), loops.end(), [](const auto& a, const auto& b) {
     return a.size() != b.size() ? a.size() < b.size() : a < b;
   });
   loops.erase(std::unique(loops.begin(), loops.end()), loops.end());
+  return loops;
+}
+
+std::vector<std::vector<VertexId>> EssentialLoops::shortest(
+    const std::vector<bool>& starts, unsigned max_edges) {
+  std::vector<std::vector<VertexId>> loops;
+  for (std::uint32_t v = 0; v < starts.size(); ++v) {
+    if (!starts[v]) continue;
+    loops.push_back(shortest_through(VertexId{v}, max_edges));
+    if (loops.back().empty()) loops.pop_back();
+  }
   return loops;
 }
 

@@ -66,7 +66,10 @@ class EssentialLoops {
                                       begin_[index(v) + 1] - begin_[index(v)]);
   }
   bool is_labelled(std::uint32_t edge) const;
-  std::vector<bool> starts(unsigned max_edges) const;
+  std::vector<bool> labelled_ends() const;
+  std::vector<bool> widened(std::vector<bool> vertices, unsigned n_edges) const;
+  std::vector<std::vector<VertexId>> shortest(const std::vector<bool>& starts,
+                                              unsigned max_edges);
   std::vector<VertexId> shortest_through(VertexId start, unsigned max_edges);
   void walk(VertexId start, unsigned max_depth);
   bool is_essential(std::size_t a, std::size_t b, std::uint32_t edge) const;

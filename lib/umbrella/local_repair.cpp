@@ -57,6 +57,7 @@ class Census {
       n += is_used_[v] && sets_.root(v) == v ? 1 : 0;
     return n;
   }
+  std::size_t n_vertices() const { return is_used_.size(); }
   /// The vertices of each component, ascending.
   std::vector<std::vector<VertexId>> components() {
     std::vector<std::vector<VertexId>> of_root(is_used_.size());
@@ -78,11 +79,21 @@ class Census {
   std::size_t n_triangles_ = 0;
 };
 
+/// Those of at most so many edges that go round a handle.
+std::vector<std::vector<VertexId>> short_loops(
+    std::size_t n_vertices, std::span<const LocatedTriangle> triangles,
+    unsigned max_edges) {
+  std::vector<Triangle> corners(triangles.size());
+  std::transform(triangles.begin(), triangles.end(), corners.begin(),
+                 [](const LocatedTriangle& t) { return t.corners; });
+  return EssentialLoops(n_vertices, corners).shortest(max_edges);
+}
+
 class Repair {
  public:
   Repair(const delaunay::Triangulation3& triangulation,
          const ClosingOptions& options,
-         std::span<const RankedTriangle> triangles)
+         std::span<const RankedTriangle> triangles, Census census)
       : options_(options),
         local_options_(with_small_pieces(options)),
         surface_(triangulation.points().size(), triangles),
@@ -93,18 +104,19 @@ class Repair {
                 options.propagations + options.propagations_per_vertex *
                                            triangulation.points().size()},
         is_changed_(triangulation.points().size()),
-        n_components_(census().n_components()) {}
+        census_(std::move(census)),
+        n_components_(census_.n_components()) {}
 
   std::size_t join_pieces();
   std::size_t bring_in();
   std::size_t remove_handles();
-  std::vector<VertexId> left_out() const { return census().unused(); }
+  std::vector<VertexId> left_out() const { return census_.unused(); }
   std::vector<LocatedTriangle> triangles() const { return surface_.sorted(); }
 
  private:
   using Vertices = std::vector<VertexId>;
 
-  Census census() const;
+  Census count() const;
   bool hangs_together(const Vertices& piece);
   std::size_t remove_some_handles();
   bool remove_handle_at(const Vertices& loop);
@@ -128,11 +140,12 @@ class Repair {
   RegionSolver solver_;
   Effort effort_;  // for all that is tried
   std::vector<bool> is_changed_;
+  Census census_;  // of the surface as it is
   std::size_t n_components_;
   std::set<Vertices> tried_;
 };
 
-Census Repair::census() const {
+Census Repair::count() const {
   Census result(surface_.n_vertices());
   for (TriangleIndex t = 0; t < surface_.n_indices(); ++t)
     if (surface_.contains(t)) result.add(surface_.corners(t));
@@ -150,7 +163,8 @@ bool Repair::hangs_together(const Vertices& piece) {
 /// @return how many there are less
 std::size_t Repair::join_pieces() {
   const std::size_t n_before = n_components_;
-  for (const Vertices& piece : census().components()) {
+  if (n_components_ == 1) return 0;
+  for (const Vertices& piece : census_.components()) {
     if (n_components_ == 1 || is_over()) break;
     if (!hangs_together(piece)) continue;
     Region region;
@@ -180,19 +194,17 @@ std::size_t Repair::bring_in() {
 std::size_t Repair::remove_handles() {
   std::size_t n_removed = 0;
   std::size_t n = 1;
-  while (n > 0 && !is_over() && census().has_handles())
+  while (n > 0 && !is_over() && census_.has_handles())
     n_removed += n = remove_some_handles();
   return n_removed;
 }
 
 /// Tries each loop once, but for those that a removal has changed.
 std::size_t Repair::remove_some_handles() {
-  std::vector<Triangle> corners;
-  for (const LocatedTriangle& t : triangles()) corners.push_back(t.corners);
-  EssentialLoops loops(surface_.n_vertices(), corners);
   is_changed_.assign(is_changed_.size(), false);
   std::size_t n_removed = 0;
-  for (const Vertices& loop : loops.shortest(options_.handle_edges)) {
+  for (const Vertices& loop :
+       short_loops(surface_.n_vertices(), triangles(), options_.handle_edges)) {
     const bool has_changed =
         std::any_of(loop.begin(), loop.end(),
                     [this](VertexId v) { return is_changed_[index(v)]; });
@@ -261,6 +273,7 @@ void Repair::accept(const Attempt& solved) {
   for (const TriangleIndex t : solved.freed) surface_.remove(t);
   for (const LocatedTriangle& t : solved.chosen) surface_.add(t);
   for (const VertexId v : solved.vertices) is_changed_[index(v)] = true;
+  census_ = count();
 }
 
 }  // namespace
@@ -272,11 +285,14 @@ LocalRepair repair_locally(const delaunay::Triangulation3& triangulation,
   for (const LocatedTriangle& t : triangles) census.add(t.corners);
   LocalRepair result;
   result.left_out = census.unused();
-  const bool has_handles = options.handle_edges > 0 && census.has_handles();
-  if (!has_handles && census.n_components() == 1 && result.left_out.empty())
+  const bool is_whole = census.n_components() == 1 && result.left_out.empty();
+  if (is_whole &&
+      (options.handle_edges == 0 || !census.has_handles() ||
+       short_loops(census.n_vertices(), triangles, options.handle_edges)
+           .empty()))
     return result;
   const std::vector<RankedTriangle> ranked = with_ranks(triangles);
-  Repair repair(triangulation, options, ranked);
+  Repair repair(triangulation, options, ranked, std::move(census));
   result.pieces_joined = repair.join_pieces();
   result.brought_in = repair.bring_in();
   if (options.handle_edges > 0)
