@@ -157,12 +157,11 @@ bool EssentialLoops::is_labelled(std::uint32_t edge) const {
                      [](Word word) { return word != 0; });
 }
 
-/// By vertex: ends of a labelled edge.
+/// By vertex: the smaller end of a labelled edge.
 std::vector<bool> EssentialLoops::labelled_ends() const {
   std::vector<bool> result(begin_.size() - 1);
   for (std::uint32_t e = 0; e < edges_.size(); ++e)
-    if (is_labelled(e))
-      for (const VertexId v : edges_[e].ends) result[index(v)] = true;
+    if (is_labelled(e)) result[index(edges_[e].ends[0])] = true;
   return result;
 }
 
@@ -178,9 +177,9 @@ std::vector<bool> EssentialLoops::widened(std::vector<bool> vertices,
   return vertices;
 }
 
-/// An essential loop has a labelled edge. So if none goes through the end of
-/// one, there is none; and no vertex of a loop is more than half its length
-/// away from such an end.
+/// An essential loop has a labelled edge. So if none goes through the smaller
+/// end of one, there is none; and no vertex of a loop is more than half its
+/// length away from such an end.
 std::vector<std::vector<VertexId>> EssentialLoops::shortest(
     unsigned max_edges) {
   std::vector<bool> starts = labelled_ends();
