@@ -187,6 +187,53 @@ TEST(Topology, KeepsHandlesThatAreSampled) {
   }
 }
 
+void expect_whole(std::span<const Point3> points, std::int64_t genus) {
+  const SurfaceReport surface = reconstruct(points).surface;
+  EXPECT_TRUE(surface.closed && surface.manifold);
+  EXPECT_EQ(surface.genus, genus);
+  EXPECT_EQ(surface.components, 1U);
+  EXPECT_TRUE(surface.unused_vertices.empty());
+}
+
+/// 0.05 thick with 2.2 of area: so many points are one thickness apart.
+TEST(Topology, SeesAPlateThatIsOneSpacingThick) {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    expect_whole(shapes::sample("plate", 880, {.seed = seed}), 0);
+  }
+}
+
+/// 0.1 apart with 2 of area. They have open rims, over which the surface has to
+/// find its own way: of 40 samples three get a hole through both.
+TEST(Topology, SeesTwoSheetsThatAreOneSpacingApart) {
+  int n_right = 0;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const SurfaceReport surface =
+        reconstruct(shapes::sample("two-sheets", 200, {.seed = seed})).surface;
+    EXPECT_TRUE(surface.closed && surface.manifold);
+    EXPECT_EQ(surface.components, 1U);
+    EXPECT_TRUE(surface.unused_vertices.empty());
+    n_right += surface.genus == 0 ? 1 : 0;
+  }
+  EXPECT_GE(n_right, 9);
+}
+
+/// Of the extent, in each coordinate.
+TEST(Topology, SeesAKnotThroughNoiseOfOnePercent) {
+  for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    std::vector<Point3> points =
+        shapes::sample("knot", 5000, {.seed = seed, .noise = 0});
+    double extent = 0;
+    for (const Point3& p : points)
+      extent = std::max(extent, 2 * p.cwiseAbs().maxCoeff());
+    std::mt19937_64 rng(seed);
+    std::uniform_real_distribution<double> shift(-0.01 * extent, 0.01 * extent);
+    for (Point3& p : points) p += Point3(shift(rng), shift(rng), shift(rng));
+    expect_whole(points, 1);
+  }
+}
+
 SurfaceReport judged(const delaunay::Triangulation3& triangulation,
                      std::span<const LocatedTriangle> triangles) {
   std::vector<IndexedTriangle> indexed;
