@@ -163,17 +163,14 @@ std::vector<VertexId> CleanUp::delete_all(std::span<const TriangleIndex> doomed,
 void CleanUp::dissolve_pieces(std::size_t largest) {
   const std::size_t n = has_umbrella_.size();
   DisjointSets pieces(n);
-  std::vector<std::uint32_t> n_triangles(
-      n);  // at the corner, then in the piece
+  std::vector<std::uint32_t> n_triangles(n);  // at a corner, then of the piece
   for_each_alive([&](TriangleIndex t) {
     const auto& [a, b, c] = triangles_[t].corners;
     pieces.unite(index(a), index(b));
     pieces.unite(index(a), index(c));
     ++n_triangles[index(a)];
   });
-  for (std::size_t v = 0; v < n; ++v)
-    if (const std::uint32_t root = pieces.root(v); root != v)
-      n_triangles[root] += n_triangles[v];
+  pieces.add_at_roots(n_triangles);
   std::vector<bool> is_doomed(n);
   for (std::size_t v = 0; v < n; ++v)
     is_doomed[v] = n_triangles[v] > 0 && n_triangles[v] <= largest;

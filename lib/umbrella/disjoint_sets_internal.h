@@ -26,6 +26,11 @@ class DisjointSets {
     const std::uint32_t a = root(i), b = root(k);
     parent_[std::max(a, b)] = std::min(a, b);
   }
+  /// Adds what is counted at each member to the count at its root.
+  void add_at_roots(std::vector<std::uint32_t>& counts) {
+    for (std::size_t i = 0; i < counts.size(); ++i)
+      if (const std::uint32_t r = root(i); r != i) counts[r] += counts[i];
+  }
 
  private:
   std::vector<std::uint32_t> parent_;

@@ -48,9 +48,7 @@ void PieceFinder::find_large_patches(const std::vector<bool>& is_open) {
     sets.unite(index(a), index(c));
     ++n_triangles[index(a)];
   }
-  for (std::size_t v = 0; v < n; ++v)
-    if (const std::uint32_t root = sets.root(v); root != v)
-      n_triangles[root] += n_triangles[v];
+  sets.add_at_roots(n_triangles);
   is_in_patch_.resize(n);
   for (std::size_t v = 0; v < n; ++v)
     is_in_patch_[v] = n_triangles[sets.root(v)] > limit_;
