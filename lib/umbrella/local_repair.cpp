@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include "umbrella/disjoint_sets_internal.h"
 #include "umbrella/essential_loops_internal.h"
@@ -116,14 +117,13 @@ class Repair {
  private:
   using Vertices = std::vector<VertexId>;
 
-  Census count() const;
   bool hangs_together(const Vertices& piece);
   std::size_t remove_some_handles();
   bool remove_handle_at(const Vertices& loop);
   bool attempt(const Region& region, const AttemptOptions& how,
                std::size_t most_components);
   Vertices ringed(std::span<const VertexId> vertices) const;
-  std::size_t n_components_with(const Attempt& solved) const;
+  Census census_with(const Attempt& solved) const;
   void accept(const Attempt& solved);
   bool is_over() const { return effort_.is_spent() || solver_.is_stopped(); }
   bool is_used(VertexId v) const {
@@ -144,13 +144,6 @@ class Repair {
   std::size_t n_components_;
   std::set<Vertices> tried_;
 };
-
-Census Repair::count() const {
-  Census result(surface_.n_vertices());
-  for (TriangleIndex t = 0; t < surface_.n_indices(); ++t)
-    if (surface_.contains(t)) result.add(surface_.corners(t));
-  return result;
-}
 
 /// With the rest of the surface, of which it is a small part.
 bool Repair::hangs_together(const Vertices& piece) {
@@ -239,10 +232,12 @@ bool Repair::attempt(const Region& region, const AttemptOptions& how,
   effort_.charge(before.conflicts - effort.conflicts,
                  before.propagations - effort.propagations);
   if (attempt.outcome != Outcome::Solved) return false;
-  const std::size_t n_components = n_components_with(attempt);
+  Census census = census_with(attempt);
+  const std::size_t n_components = census.n_components();
   if (n_components > most_components) return false;
-  n_components_ = n_components;
   accept(attempt);
+  census_ = std::move(census);
+  n_components_ = n_components;
   return true;
 }
 
@@ -259,21 +254,20 @@ std::vector<VertexId> Repair::ringed(std::span<const VertexId> vertices) const {
   return result;
 }
 
-std::size_t Repair::n_components_with(const Attempt& solved) const {
+Census Repair::census_with(const Attempt& solved) const {
   std::vector<bool> is_freed(surface_.n_indices());
   for (const TriangleIndex t : solved.freed) is_freed[t] = true;
   Census census(surface_.n_vertices());
   for (TriangleIndex t = 0; t < surface_.n_indices(); ++t)
     if (surface_.contains(t) && !is_freed[t]) census.add(surface_.corners(t));
   for (const LocatedTriangle& t : solved.chosen) census.add(t.corners);
-  return census.n_components();
+  return census;
 }
 
 void Repair::accept(const Attempt& solved) {
   for (const TriangleIndex t : solved.freed) surface_.remove(t);
   for (const LocatedTriangle& t : solved.chosen) surface_.add(t);
   for (const VertexId v : solved.vertices) is_changed_[index(v)] = true;
-  census_ = count();
 }
 
 }  // namespace
