@@ -22,5 +22,6 @@ void add_repair(CLI::App& app, ExitCode& exit_code);
 void add_check(CLI::App& app, ExitCode& exit_code);
 void add_generate(CLI::App& app, ExitCode& exit_code);
 void add_solve(CLI::App& app, ExitCode& exit_code);
+void add_view(CLI::App& app, ExitCode& exit_code);
 
 }  // namespace command

@@ -14,6 +14,11 @@ std::filesystem::path place(const std::string& path) {
   return error ? full : canonical;
 }
 
+std::string input_name(const std::string& path) {
+  if (path == "-") return "standard input";
+  return std::filesystem::path(path).filename().string();
+}
+
 void require_no_input(std::span<const std::string> inputs,
                       std::span<const std::string> outputs) {
   for (const std::string& out : outputs)

@@ -17,6 +17,10 @@ void add_output_options(CLI::App& sub, ReconstructOptions& options) {
                  "Counts, times and the certificate as JSON")
       ->check(path_problem)
       ->type_name("FILE");
+  sub.add_option("--view", options.view,
+                 "HTML page that shows the surface or curve")
+      ->check(path_problem)
+      ->type_name("FILE");
 }
 
 void add_closing_options(CLI::App& sub, Request& request) {

@@ -17,11 +17,12 @@ struct ReconstructOptions {
   Request request;
   std::string out;     ///< mesh file; empty: none
   std::string report;  ///< empty: none
+  std::string view;    ///< HTML file; empty: none
   bool quiet = false;
   terminal::Color color = terminal::Color::Auto;
 };
 
-/// -o and --report.
+/// -o, --report and --view.
 void add_output_options(CLI::App& sub, ReconstructOptions& options);
 /// How holes are closed, and within what time.
 void add_closing_options(CLI::App& sub, Request& request);

@@ -6,12 +6,15 @@
 #include <cstdint>
 #include <cstdio>
 #include <iostream>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "apps/paths.h"
 #include "apps/program_files.h"
 #include "apps/report.h"
 #include "apps/terminal.h"
+#include "apps/viewer.h"
 #include "io/file.h"
 
 namespace command {
@@ -40,7 +43,7 @@ report::Json complete(const Request& request, const Outcome& outcome,
 }  // namespace
 
 void require_outputs(const ReconstructOptions& options) {
-  const std::array outputs = {options.out, options.report};
+  const std::array outputs = {options.out, options.report, options.view};
   require_no_input(options.request.files, outputs);
   for (const std::string& path : outputs)
     if (!path.empty()) io::require_writable(path);
@@ -57,9 +60,21 @@ void write_report(const ReconstructOptions& options, const Outcome& outcome,
                  report::text(complete(options.request, outcome, wall_clock)));
 }
 
+void write_view(const ReconstructOptions& options, const Outcome& outcome) {
+  if (options.view.empty()) return;
+  std::span<const double> lambda;  // of edges it has no use
+  if (!outcome.mesh.triangles.empty()) lambda = outcome.lambda;
+  std::vector<std::string> names;
+  for (const std::string& path : options.request.files)
+    names.push_back(input_name(path));
+  io::write_file(options.view,
+                 viewer_page(joined(names), outcome.mesh, lambda));
+}
+
 void print_summary(const ReconstructOptions& options, const Outcome& outcome,
                    double total_seconds) {
-  const bool stdout_is_taken = options.out == "-" || options.report == "-";
+  const bool stdout_is_taken =
+      options.out == "-" || options.report == "-" || options.view == "-";
   std::ostream& out = stdout_is_taken ? std::cerr : std::cout;
   std::array<char, 32> seconds;
   std::snprintf(seconds.data(), seconds.size(), "%.2f", total_seconds);

@@ -21,6 +21,9 @@ struct Seconds {
 void write_report(const ReconstructOptions& options, const Outcome& outcome,
                   const Seconds& wall_clock);
 
+/// The page that shows the mesh, if one is asked for.
+void write_view(const ReconstructOptions& options, const Outcome& outcome);
+
 /// A line on standard output, or on standard error if that is taken.
 void print_summary(const ReconstructOptions& options, const Outcome& outcome,
                    double total_seconds);

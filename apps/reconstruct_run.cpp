@@ -87,6 +87,7 @@ ExitCode run_reconstruct(const ReconstructOptions& options) {
   const umbrella::Stopwatch writing;
   if (!options.out.empty())
     io::write_mesh(options.out, outcome.mesh, outcome.lambda);
+  write_view(options, outcome);
   const double write_seconds = writing.seconds();
   const double total_seconds = total.seconds();
   write_report(options, outcome, {read_seconds, write_seconds, total_seconds});

@@ -46,6 +46,7 @@ ExitCode run(int argc, char** argv) {
   command::add_check(app, exit_code);
   command::add_generate(app, exit_code);
   command::add_solve(app, exit_code);
+  command::add_view(app, exit_code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& request) {  // help and version

@@ -56,7 +56,8 @@ TEST_F(Command, PrintsHelpAndVersion) {
   EXPECT_THAT(run("--help").out, HasSubstr("Examples:"));
   EXPECT_EQ(run("--help").status, 0);
   EXPECT_THAT(run("--version").out, StartsWith("umbrella "));
-  for (const std::string sub : {"reconstruct", "repair", "check", "generate"}) {
+  for (const std::string sub :
+       {"reconstruct", "repair", "check", "generate", "view"}) {
     const Finished help = run(sub + " --help");
     EXPECT_EQ(help.status, 0);
     EXPECT_THAT(help.out, HasSubstr("Examples:"));
@@ -92,6 +93,35 @@ TEST_F(Command, RefusesBadUsageInOneLine) {
   expect_error("generate knot -n 1e3", "--count");
   expect_error("generate knot -n 3 --noise -1", "noise");
   expect_error("check", "mesh is required");
+}
+
+TEST_F(Command, MakesPagesThatShowMeshes) {
+  ASSERT_EQ(run("generate torus -n 600 -o t.ply").status, 0);
+  const Finished made = run("reconstruct t.ply -o mesh.ply --view scan.html");
+  EXPECT_EQ(made.status, 0) << made.err;
+  EXPECT_THAT(folder_.content("scan.html"), StartsWith("<!DOCTYPE html>"));
+  EXPECT_THAT(folder_.content("scan.html"), HasSubstr(R"("title":"t.ply")"));
+
+  EXPECT_EQ(run("view ./mesh.ply -o mesh.html").status, 0);
+  EXPECT_THAT(folder_.content("mesh.html"), HasSubstr(R"("title":"mesh.ply")"));
+  EXPECT_EQ(run("view - -o -", "mesh.ply").out.substr(0, 15),
+            "<!DOCTYPE html>");
+
+  ASSERT_EQ(run("generate star -n 100 -o s.xy").status, 0);
+  EXPECT_EQ(run("reconstruct s.xy -o s.txt --view s.html").status, 0);
+  EXPECT_THAT(folder_.content("s.html"), HasSubstr(R"("dimension":2)"));
+  EXPECT_EQ(run("view s.txt -o e.html").status, 0);
+
+  const Finished piped = run("reconstruct t.ply --view -");
+  EXPECT_THAT(piped.out, StartsWith("<!DOCTYPE html>"));
+  EXPECT_THAT(piped.err, HasSubstr("1200 triangles"));
+  expect_error("view mesh.ply", "--output is required");
+  expect_error("view mesh.ply -o ''", "the name of a file is empty");
+  expect_error("view mesh.ply -o mesh.ply", "would overwrite the input");
+  expect_error("view t.ply -o t.html", "t.ply: ");
+  expect_error("view mesh.ply -o no/mesh.html", "no/mesh.html: cannot write");
+  expect_error("reconstruct t.ply --view t.ply", "would overwrite the input");
+  expect_error("reconstruct t.ply -o m.ply --view m.ply", "two outputs");
 }
 
 TEST_F(Command, TakesOtherCriteriaAndMethods) {
