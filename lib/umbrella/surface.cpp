@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "umbrella/circumradius_internal.h"
+#include "umbrella/closed_sweep_internal.h"
 #include "umbrella/incidence_internal.h"
 
 namespace umbrella {
@@ -91,6 +92,12 @@ double signed_volume(std::span<const Point3> points, const Triangle& t,
   return dot(corner(0), cross(corner(1), corner(2)));
 }
 
+OrientedTriangle directed(const Triangle& t, bool is_turned) {
+  const auto& [a, b, c] = t;
+  return {a, is_turned ? c : b, is_turned ? b : c};
+}
+
+/// A walk from triangle to triangle, of any set of them.
 class Orientation {
  public:
   Orientation(std::span<const Point3> points,
@@ -110,11 +117,8 @@ class Orientation {
       spread(t, result.is_closed);
     }
     result.triangles.reserve(triangles_.size());
-    for (TriangleIndex t = 0; t < triangles_.size(); ++t) {
-      const auto& [a, b, c] = triangles_[t];
-      const bool is_turned = turned_[t] == 1;
-      result.triangles.push_back({a, is_turned ? c : b, is_turned ? b : c});
-    }
+    for (TriangleIndex t = 0; t < triangles_.size(); ++t)
+      result.triangles.push_back(directed(triangles_[t], turned_[t] == 1));
     return result;
   }
 
@@ -163,10 +167,48 @@ class Orientation {
   std::vector<TriangleIndex> component_;
 };
 
+/// Of the i-th component: whether its volume is negative.
+std::vector<bool> inside_out(std::span<const Point3> points,
+                             std::span<const Triangle> triangles,
+                             const TurnedTriangles& turned) {
+  struct Component {
+    const Point3* origin = nullptr;
+    double volume = 0;
+  };
+  const double scale = power_of_two_scale(points);
+  std::vector<Component> components(turned.n_components());
+  for (TriangleIndex t = 0; t < triangles.size(); ++t) {
+    auto& [origin, volume] = components[turned.component(t)];
+    if (origin == nullptr) origin = &points[index(triangles[t][0])];
+    const double part = signed_volume(points, triangles[t], *origin, scale);
+    volume += turned.is_turned(t) ? -part : part;
+  }
+  std::vector<bool> result;
+  for (const Component& c : components) result.push_back(c.volume < 0);
+  return result;
+}
+
+OrientedSurface turned_outward(std::span<const Point3> points,
+                               std::span<const Triangle> triangles,
+                               const TurnedTriangles& turned) {
+  const std::vector<bool> is_inside_out = inside_out(points, triangles, turned);
+  OrientedSurface result;
+  result.is_closed = !triangles.empty();
+  result.n_components = turned.n_components();
+  result.triangles.reserve(triangles.size());
+  for (TriangleIndex t = 0; t < triangles.size(); ++t)
+    result.triangles.push_back(
+        directed(triangles[t],
+                 turned.is_turned(t) != is_inside_out[turned.component(t)]));
+  return result;
+}
+
 }  // namespace
 
 OrientedSurface orient(std::span<const Point3> points,
                        std::span<const Triangle> triangles) {
+  if (const auto turned = sweep_closed(points.size(), triangles))
+    return turned_outward(points, triangles, *turned);
   return Orientation(points, triangles).run();
 }
 
