@@ -13,6 +13,7 @@
 
 #include "umbrella/cell_labels.h"
 #include "umbrella/local_repair_internal.h"
+#include "umbrella/new_handles_internal.h"
 #include "umbrella/region_solver_internal.h"
 
 namespace umbrella {
@@ -69,8 +70,8 @@ class Closing {
   void swallow(Task& task, Region& region);
   void accept(const Attempt& solved);
   void give_up(const Task& task);
-  void label_cells();
-  void repair_locally();
+  bool label_cells();
+  void repair_locally(bool is_labelled);
   void list_dropped(std::vector<VertexId> dropped);
 
   const ClosingOptions& options_;
@@ -106,8 +107,7 @@ ClosingResult Closing::run(std::span<const Hole> holes) {
   result_.triangles = surface_.sorted();
   std::sort(dropped_.begin(), dropped_.end());
   if (options_.mode == CloseMode::Best && options_.drop_points) {
-    label_cells();
-    repair_locally();
+    repair_locally(label_cells());
   }
   list_dropped(dropped_);
   return std::move(result_);
@@ -336,10 +336,11 @@ void Closing::accept(const Attempt& solved) {
 }
 
 /// Closes what is still open, and brings in points that were left out.
-void Closing::label_cells() {
+/// @return whether there was anything to do
+bool Closing::label_cells() {
   const ClosingReport& report = result_.report;
   result_.report.labelled = report.infeasible + report.undecided;
-  if (report.labelled == 0 && dropped_.empty()) return;
+  if (report.labelled == 0 && dropped_.empty()) return false;
   std::vector<VertexId> open;
   for (std::size_t v = 0; v < is_open_.size(); ++v)
     if (is_open_[v]) open.push_back(VertexId{static_cast<std::uint32_t>(v)});
@@ -348,12 +349,15 @@ void Closing::label_cells() {
       {options_.weight, options_.piece_triangles, options_.stop});
   result_.triangles = std::move(labelled.triangles);
   dropped_ = std::move(labelled.left_out);
+  return true;
 }
 
-void Closing::repair_locally() {
+void Closing::repair_locally(bool is_labelled) {
   ClosingOptions options = options_;
   options.on_program = {};
   options.seconds = std::max(0.0, solver_.seconds_left());
+  if (!is_labelled && !may_have_new_handle(surface_, options.handle_edges))
+    options.handle_edges = 0;
   LocalRepair repaired =
       umbrella::repair_locally(triangulation_, options, result_.triangles);
   result_.report.pieces_joined = repaired.pieces_joined;

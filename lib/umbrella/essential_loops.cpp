@@ -48,16 +48,22 @@ void EssentialLoops::find_edges(std::span<const Triangle> triangles) {
     std::sort(sides.begin() + static_cast<std::ptrdiff_t>(i),
               sides.begin() + static_cast<std::ptrdiff_t>(last[v]),
               [](const Side& a, const Side& b) { return a.end < b.end; });
-    for (; i < last[v]; i += 2)
+    while (i < last[v]) {
+      const auto [end, face] = sides[i++];
+      const bool is_inner = i < last[v] && sides[i].end == end;
       add_edge(
-          {{VertexId{v}, sides[i].end}, {sides[i].face, sides[i + 1].face}});
+          {{VertexId{v}, end}, {face, is_inner ? sides[i++].face : kNone}});
+    }
   }
 }
 
 void EssentialLoops::add_edge(const Edge& edge) {
   for (const std::uint32_t f : edge.faces)
-    *std::find(edges_of_face_[f].begin(), edges_of_face_[f].end(), kNone) =
-        static_cast<std::uint32_t>(edges_.size());
+    if (f == kNone)
+      has_boundary_ = true;
+    else
+      *std::find(edges_of_face_[f].begin(), edges_of_face_[f].end(), kNone) =
+          static_cast<std::uint32_t>(edges_.size());
   edges_.push_back(edge);
 }
 
@@ -94,35 +100,46 @@ std::vector<bool> EssentialLoops::spanning_forest() const {
   return in_forest;
 }
 
-/// Each face's edge towards the root of its component, kNone at roots; faces
-/// before those that they lead to in `order`.
-std::vector<std::uint32_t> EssentialLoops::dual_forest(
-    const std::vector<bool>& in_forest,
-    std::vector<std::uint32_t>& order) const {
+/// Trees with a way out come first, so that the others are closed components.
+EssentialLoops::DualForest EssentialLoops::dual_forest(
+    const std::vector<bool>& in_forest) const {
   const std::size_t n_faces = edges_of_face_.size();
-  std::vector<std::uint32_t> entry(n_faces, kNone);
-  std::vector<bool> is_met(n_faces);
-  for (std::uint32_t root = 0; root < n_faces; ++root) {
-    if (is_met[root]) continue;
-    is_met[root] = true;
-    std::size_t next = order.size();
-    for (order.push_back(root); next < order.size(); ++next)
-      for (const std::uint32_t e : edges_of_face_[order[next]]) {
-        const std::uint32_t beyond = across(order[next], e);
-        if (in_forest[e] || is_met[beyond]) continue;
-        is_met[beyond] = true;
-        entry[beyond] = e;
-        order.push_back(beyond);
-      }
-  }
-  return entry;
+  DualForest forest = {std::vector<std::uint32_t>(n_faces, kNone),
+                       {},
+                       std::vector<bool>(n_faces)};
+  for (std::uint32_t f = 0; f < n_faces && has_boundary_; ++f)
+    for (const std::uint32_t e : edges_of_face_[f])
+      if (!in_forest[e] && across(f, e) == kNone)
+        grow_dual_tree(f, e, in_forest, forest);
+  for (std::uint32_t f = 0; f < n_faces; ++f)
+    grow_dual_tree(f, kNone, in_forest, forest);
+  return forest;
+}
+
+/// Does nothing if the root is in a tree.
+void EssentialLoops::grow_dual_tree(std::uint32_t root, std::uint32_t entry,
+                                    const std::vector<bool>& in_forest,
+                                    DualForest& forest) const {
+  auto& [entries, order, is_met] = forest;
+  if (is_met[root]) return;
+  is_met[root] = true;
+  entries[root] = entry;
+  std::size_t next = order.size();
+  for (order.push_back(root); next < order.size(); ++next)
+    for (const std::uint32_t e : edges_of_face_[order[next]]) {
+      const std::uint32_t beyond = across(order[next], e);
+      if (in_forest[e] || beyond == kNone || is_met[beyond]) continue;
+      is_met[beyond] = true;
+      entries[beyond] = e;
+      order.push_back(beyond);
+    }
 }
 
 /// With the ends of each generator's dual edge marked, a dual edge is on the
-/// way between them if an odd number of marks lies beyond it.
+/// way between them if an odd number of marks lies beyond it. An end outside
+/// needs no mark: all ways out lead there.
 void EssentialLoops::label_edges(const std::vector<bool>& in_forest) {
-  std::vector<std::uint32_t> order;
-  const std::vector<std::uint32_t> entry = dual_forest(in_forest, order);
+  const auto [entry, order, is_met] = dual_forest(in_forest);
   std::vector<bool> is_generator(in_forest);
   is_generator.flip();
   for (const std::uint32_t e : entry)
@@ -138,15 +155,16 @@ void EssentialLoops::label_edges(const std::vector<bool>& in_forest) {
     const Word bit = Word{1} << (g % kBits);
     label_[e * n_words_ + g / kBits] ^= bit;
     for (const std::uint32_t f : edges_[e].faces)
-      marks[f * n_words_ + g / kBits] ^= bit;
+      if (f != kNone) marks[f * n_words_ + g / kBits] ^= bit;
     ++g;
   }
   for (auto f = order.rbegin(); f != order.rend(); ++f) {
     if (entry[*f] == kNone) continue;
     const std::uint32_t parent = across(*f, entry[*f]);
     for (std::size_t w = 0; w < n_words_; ++w) {
-      label_[entry[*f] * n_words_ + w] ^= marks[*f * n_words_ + w];
-      marks[parent * n_words_ + w] ^= marks[*f * n_words_ + w];
+      const Word mark = marks[*f * n_words_ + w];
+      label_[entry[*f] * n_words_ + w] ^= mark;
+      if (parent != kNone) marks[parent * n_words_ + w] ^= mark;
     }
   }
 }
@@ -175,6 +193,14 @@ std::vector<bool> EssentialLoops::widened(std::vector<bool> vertices,
         vertices[index(a)] = vertices[index(b)] = true;
   }
   return vertices;
+}
+
+bool EssentialLoops::has_loop(unsigned max_edges) {
+  const std::vector<bool> starts = labelled_ends();
+  for (std::uint32_t v = 0; v < starts.size(); ++v)
+    if (starts[v] && !shortest_through(VertexId{v}, max_edges).empty())
+      return true;
+  return false;
 }
 
 /// An essential loop has a labelled edge. So if none goes through the smaller
@@ -249,8 +275,7 @@ void EssentialLoops::walk(VertexId start, unsigned max_depth) {
   }
 }
 
-/// Whether the loop that the edge between two steps closes does not part the
-/// surface.
+/// Whether the loop that the edge between two steps closes does not bound.
 bool EssentialLoops::is_essential(std::size_t a, std::size_t b,
                                   std::uint32_t edge) const {
   for (std::size_t w = 0; w < n_words_; ++w)

@@ -1,5 +1,5 @@
 /// @file
-/// Short loops of a closed surface that do not bound on it.
+/// Short loops of a surface that do not bound on it.
 #pragma once
 
 #include <array>
@@ -12,30 +12,34 @@
 
 namespace umbrella {
 
-/// The homology of a closed surface with coefficients in Z/2: each edge has a
-/// label of one bit a generator, and a loop of edges parts its component, as
+/// The homology of a surface with coefficients in Z/2: each edge has a label of
+/// one bit a generator, and a loop of edges bounds some of the triangles, as
 /// every loop of a sphere does, if its labels add up to zero.
 ///
 /// An edge that is in neither a spanning forest of the edges nor one of the
 /// dual edges is a generator [Eppstein03]; its bit is set on the edges that the
-/// cycle of its dual edge with the dual forest crosses.
+/// cycle of its dual edge with the dual forest crosses. Where the surface has a
+/// boundary, the dual trees begin outside, and so do these cycles.
 class EssentialLoops {
  public:
-  /// @param triangles  of a closed surface: each edge has two
+  /// @param triangles  each edge has two, or one on the boundary
   EssentialLoops(std::size_t n_vertices, std::span<const Triangle> triangles);
 
-  /// Twice the number of handles.
+  /// Twice the number of handles, if the surface is closed.
   std::size_t n_generators() const { return n_generators_; }
 
+  /// Whether there is a loop that does not bound of at most `max_edges` edges.
+  bool has_loop(unsigned max_edges);
+
   /// For each vertex, the vertices of a shortest loop through it that does not
-  /// part the surface, if it has at most `max_edges` edges; ascending. The
+  /// bound, if it has at most `max_edges` edges; ascending. The
   /// short ones first, each once.
   std::vector<std::vector<VertexId>> shortest(unsigned max_edges);
 
  private:
   struct Edge {
     std::array<VertexId, 2> ends;
-    std::array<std::uint32_t, 2> faces;
+    std::array<std::uint32_t, 2> faces;  // the second may be none
   };
   struct Spoke {
     VertexId end;
@@ -47,15 +51,23 @@ class EssentialLoops {
     std::uint32_t from;  // position among the steps
     unsigned depth;
   };
+  struct DualForest {
+    /// Of each face: the edge towards the root. At a root an edge of the
+    /// boundary; none where the component has no boundary.
+    std::vector<std::uint32_t> entry;
+    std::vector<std::uint32_t> order;  // faces after those that they lead to
+    std::vector<bool> is_met;
+  };
   using Word = std::uint64_t;
 
   void find_edges(std::span<const Triangle> triangles);
   void add_edge(const Edge& edge);
   void find_spokes();
   std::vector<bool> spanning_forest() const;
-  std::vector<std::uint32_t> dual_forest(
-      const std::vector<bool>& in_forest,
-      std::vector<std::uint32_t>& order) const;
+  DualForest dual_forest(const std::vector<bool>& in_forest) const;
+  void grow_dual_tree(std::uint32_t root, std::uint32_t entry,
+                      const std::vector<bool>& in_forest,
+                      DualForest& forest) const;
   void label_edges(const std::vector<bool>& in_forest);
   std::uint32_t across(std::uint32_t face, std::uint32_t edge) const {
     const auto& [f, g] = edges_[edge].faces;
@@ -75,6 +87,7 @@ class EssentialLoops {
   bool is_essential(std::size_t a, std::size_t b, std::uint32_t edge) const;
 
   std::vector<Edge> edges_;
+  bool has_boundary_ = false;
   std::vector<std::array<std::uint32_t, 3>> edges_of_face_;
   std::vector<Spoke> spokes_;
   std::vector<std::size_t> begin_;

@@ -80,10 +80,12 @@ class Census {
   std::size_t n_triangles_ = 0;
 };
 
+using Loops = std::vector<std::vector<VertexId>>;
+
 /// Those of at most so many edges that go round a handle.
-std::vector<std::vector<VertexId>> short_loops(
-    std::size_t n_vertices, std::span<const LocatedTriangle> triangles,
-    unsigned max_edges) {
+Loops short_loops(std::size_t n_vertices,
+                  std::span<const LocatedTriangle> triangles,
+                  unsigned max_edges) {
   std::vector<Triangle> corners(triangles.size());
   std::transform(triangles.begin(), triangles.end(), corners.begin(),
                  [](const LocatedTriangle& t) { return t.corners; });
@@ -110,7 +112,7 @@ class Repair {
 
   std::size_t join_pieces();
   std::size_t bring_in();
-  std::size_t remove_handles();
+  std::size_t remove_handles(Loops loops);
   std::vector<VertexId> left_out() const { return census_.unused(); }
   std::vector<LocatedTriangle> triangles() const { return surface_.sorted(); }
 
@@ -118,7 +120,7 @@ class Repair {
   using Vertices = std::vector<VertexId>;
 
   bool hangs_together(const Vertices& piece);
-  std::size_t remove_some_handles();
+  std::size_t remove_some_handles(const Loops& loops);
   bool remove_handle_at(const Vertices& loop);
   bool attempt(const Region& region, const AttemptOptions& how,
                std::size_t most_components);
@@ -184,20 +186,26 @@ std::size_t Repair::bring_in() {
   return missing.size() - left_out().size();
 }
 
-std::size_t Repair::remove_handles() {
+/// @param loops  those of the surface as it is; none if nobody has looked
+std::size_t Repair::remove_handles(Loops loops) {
   std::size_t n_removed = 0;
-  std::size_t n = 1;
-  while (n > 0 && !is_over() && census_.has_handles())
-    n_removed += n = remove_some_handles();
+  while (!is_over() && census_.has_handles()) {
+    if (loops.empty())
+      loops = short_loops(surface_.n_vertices(), triangles(),
+                          options_.handle_edges);
+    const std::size_t n = remove_some_handles(loops);
+    if (n == 0) break;
+    n_removed += n;
+    loops.clear();
+  }
   return n_removed;
 }
 
 /// Tries each loop once, but for those that a removal has changed.
-std::size_t Repair::remove_some_handles() {
+std::size_t Repair::remove_some_handles(const Loops& loops) {
   is_changed_.assign(is_changed_.size(), false);
   std::size_t n_removed = 0;
-  for (const Vertices& loop :
-       short_loops(surface_.n_vertices(), triangles(), options_.handle_edges)) {
+  for (const Vertices& loop : loops) {
     const bool has_changed =
         std::any_of(loop.begin(), loop.end(),
                     [this](VertexId v) { return is_changed_[index(v)]; });
@@ -279,18 +287,18 @@ LocalRepair repair_locally(const delaunay::Triangulation3& triangulation,
   for (const LocatedTriangle& t : triangles) census.add(t.corners);
   LocalRepair result;
   result.left_out = census.unused();
-  const bool is_whole = census.n_components() == 1 && result.left_out.empty();
-  if (is_whole &&
-      (options.handle_edges == 0 || !census.has_handles() ||
-       short_loops(census.n_vertices(), triangles, options.handle_edges)
-           .empty()))
-    return result;
+  Loops loops;
+  if (census.n_components() == 1 && result.left_out.empty()) {
+    if (options.handle_edges == 0 || !census.has_handles()) return result;
+    loops = short_loops(census.n_vertices(), triangles, options.handle_edges);
+    if (loops.empty()) return result;
+  }
   const std::vector<RankedTriangle> ranked = with_ranks(triangles);
   Repair repair(triangulation, options, ranked, std::move(census));
   result.pieces_joined = repair.join_pieces();
   result.brought_in = repair.bring_in();
   if (options.handle_edges > 0)
-    result.handles_removed = repair.remove_handles();
+    result.handles_removed = repair.remove_handles(std::move(loops));
   result.left_out = repair.left_out();
   triangles = repair.triangles();
   return result;

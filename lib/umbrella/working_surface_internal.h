@@ -59,6 +59,13 @@ class WorkingSurface {
       if (contains(i / 3)) visit(TriangleIndex{i / 3});
   }
 
+  /// Calls visit(TriangleIndex) for each triangle that was not given at first.
+  template <class Visit>
+  void for_each_added(Visit visit) const {
+    for (std::size_t t = n_given_; t < n_indices(); ++t)
+      if (is_there_[t] != 0) visit(static_cast<TriangleIndex>(t));
+  }
+
   /// All triangles, by ascending corners. Those given mostly are in that order,
   /// so only the others are sorted.
   std::vector<LocatedTriangle> sorted() const {
