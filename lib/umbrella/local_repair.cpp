@@ -12,10 +12,13 @@ namespace {
 
 constexpr std::size_t kMostVertices = 300;
 
-/// Every piece that is no larger is banned, and no larger one looked for.
-ClosingOptions with_small_pieces(ClosingOptions options) {
+/// Every piece that is no larger is banned, and no larger one looked for. The
+/// whole surface is none: of two pieces one has no more than half of it.
+ClosingOptions with_small_pieces(ClosingOptions options,
+                                 std::size_t n_triangles) {
   options.piece_triangles =
-      std::max(options.piece_triangles, 2 * kMostVertices);
+      std::max(options.piece_triangles,
+               std::min(2 * kMostVertices, n_triangles / 2));
   options.piece_part = options.joined_part = 0;
   return options;
 }
@@ -98,7 +101,7 @@ class Repair {
          const ClosingOptions& options,
          std::span<const RankedTriangle> triangles, Census census)
       : options_(options),
-        local_options_(with_small_pieces(options)),
+        local_options_(with_small_pieces(options, triangles.size())),
         surface_(triangulation.points().size(), triangles),
         is_open_(triangulation.points().size()),
         groups_(triangulation, triangles),
