@@ -16,9 +16,8 @@ constexpr std::size_t kMostVertices = 300;
 /// whole surface is none: of two pieces one has no more than half of it.
 ClosingOptions with_small_pieces(ClosingOptions options,
                                  std::size_t n_triangles) {
-  options.piece_triangles =
-      std::max(options.piece_triangles,
-               std::min(2 * kMostVertices, n_triangles / 2));
+  options.piece_triangles = std::max(
+      options.piece_triangles, std::min(2 * kMostVertices, n_triangles / 2));
   options.piece_part = options.joined_part = 0;
   return options;
 }
@@ -85,14 +84,14 @@ class Census {
 
 using Loops = std::vector<std::vector<VertexId>>;
 
-/// Those of at most so many edges that go round a handle.
+/// Those of at most so many edges that go round a handle and no tube.
 Loops short_loops(std::size_t n_vertices,
                   std::span<const LocatedTriangle> triangles,
                   unsigned max_edges) {
   std::vector<Triangle> corners(triangles.size());
   std::transform(triangles.begin(), triangles.end(), corners.begin(),
                  [](const LocatedTriangle& t) { return t.corners; });
-  return EssentialLoops(n_vertices, corners).shortest(max_edges);
+  return EssentialLoops(n_vertices, corners).shortest_round_no_tube(max_edges);
 }
 
 class Repair {
