@@ -16,6 +16,7 @@
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::StartsWith;
 using Json = nlohmann::json;
 
@@ -242,6 +243,22 @@ TEST_F(Command, NoticesAFullStandardOutput) {
     EXPECT_THAT(result.err,
                 StartsWith("umbrella: error: <stdout>: cannot write"));
   }
+}
+
+// The limit of the shell counts in blocks of 512 or 1024 bytes.
+TEST_F(Command, LeavesNoHalfFileWhereFilesMayNotGrow) {
+  ASSERT_EQ(run("generate sphere -n 300 -o s.ply").status, 0);
+  const std::string line = "cd '" + folder_.path("") + "' && ulimit -f 4 && '" +
+                           kCommandPath +
+                           "' reconstruct s.ply -o mesh.ply 2>err >out";
+  const int status = std::system(line.c_str());
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 2);
+  EXPECT_THAT(folder_.content("err"),
+              StartsWith("umbrella: error: mesh.ply: cannot write: "));
+  for (const auto& entry :
+       std::filesystem::directory_iterator(folder_.path("")))
+    EXPECT_THAT(entry.path().filename().string(), Not(HasSubstr("mesh")));
 }
 
 // Some programs of this set are given up at a limit, and solved once grown.
