@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "apps/command.h"
+#include "apps/option_checks.h"
 #include "apps/shapes.h"
 #include "io/points.h"
 
@@ -66,11 +67,12 @@ void add_generate(CLI::App& app, ExitCode& exit_code) {
         return "no shape is called '" + name + "'";
       })
       ->type_name("SHAPE");
-  sub->add_option("-n,--count", options->n, "Number of points")
+  sub->add_option("-n,--count", options->n, "Number of points, 1 to 2^27")
       ->required()
-      ->check(CLI::Range(std::uint64_t{1}, kMaxPoints))
+      ->check(CLI::Range(std::uint64_t{1}, kMaxPoints).description(""))
       ->type_name("N");
   sub->add_option("--seed", options->seed, "Another seed, other points [1]")
+      ->check(count_problem)
       ->type_name("S");
   sub->add_option("--noise", options->noise,
                   "Largest displacement of a coordinate, in distances of "

@@ -1,7 +1,5 @@
 #include "apps/option_checks.h"
 
-#include <CLI/CLI.hpp>
-
 namespace command {
 
 std::string path_problem(const std::string& text) {
@@ -21,6 +19,15 @@ std::string seconds_problem(const std::string& text) {
 
 std::string count_problem(const std::string& text) {
   return text.starts_with('-') ? "Value " + text + " is negative" : "";
+}
+
+std::string choice_problem(const std::string& text,
+                           std::span<const std::string> names) {
+  if (std::ranges::find(names, text) != names.end()) return "";
+  std::string list;
+  for (const std::string& name : names)
+    list += (list.empty() ? "" : ", ") + name;
+  return "'" + text + "' is none of " + list;
 }
 
 }  // namespace command

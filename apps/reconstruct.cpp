@@ -3,13 +3,14 @@
 #include "umbrella/reconstruct.h"
 
 #include <CLI/CLI.hpp>
-#include <map>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "apps/command.h"
+#include "apps/option_checks.h"
 #include "apps/outcome.h"
 #include "apps/reconstruct_options.h"
 #include "apps/reconstruct_run.h"
@@ -32,14 +33,12 @@ void add_point_files(CLI::App& sub, ReconstructOptions& options) {
 }
 
 void add_method_options(CLI::App& sub, Request& request) {
-  sub.add_option("--stage", request.stage,
-                 "Stop after: filter, clean or closed [closed]")
-      ->transform(
-          CLI::CheckedTransformer(std::map<std::string, umbrella::Stage>{
-              {"filter", umbrella::Stage::Filter},
-              {"clean", umbrella::Stage::Clean},
-              {"closed", umbrella::Stage::Closed}}))
-      ->type_name("STAGE");
+  add_choice<umbrella::Stage, umbrella::Stage>(
+      sub, {"--stage", "STAGE", "Stop after: filter, clean or closed [closed]"},
+      request.stage,
+      {{"filter", umbrella::Stage::Filter},
+       {"clean", umbrella::Stage::Clean},
+       {"closed", umbrella::Stage::Closed}});
   add_closing_options(sub, request);
 }
 
@@ -50,6 +49,11 @@ std::string method_problem(const std::string& text) {
     return problem.what();
   }
   return "";
+}
+
+auto is_one_of(const std::vector<std::string>& names) {
+  return
+      [names](const std::string& text) { return choice_problem(text, names); };
 }
 
 void add_experiment_options(CLI::App& sub, Request& request) {
@@ -65,26 +69,26 @@ void add_experiment_options(CLI::App& sub, Request& request) {
   sub.add_option(
          "--criterion", request.criterion,
          "What makes a triangle a good one: " + joined(criteria) + " [paper]")
-      ->check(CLI::IsMember(criteria))
+      ->check(is_one_of(criteria))
       ->type_name("NAME");
   const auto choices = strings(umbrella::umbrella_choice_names());
   sub.add_option(
          "--umbrella", request.umbrella,
          "Which umbrella a point chooses: " + joined(choices) + " [first]")
-      ->check(CLI::IsMember(choices))
+      ->check(is_one_of(choices))
       ->type_name("NAME");
-  sub.add_option("--curve", request.curve,
-                 "Of points in the plane: auto, paper, closed, open, tsp or "
-                 "mutual [auto]")
-      ->transform(
-          CLI::CheckedTransformer(std::map<std::string, umbrella::CurveMode>{
-              {"auto", umbrella::CurveMode::Auto},
-              {"paper", umbrella::CurveMode::Paper},
-              {"closed", umbrella::CurveMode::Closed},
-              {"open", umbrella::CurveMode::Open},
-              {"tsp", umbrella::CurveMode::Tour},
-              {"mutual", umbrella::CurveMode::Mutual}}))
-      ->type_name("MODE");
+  add_choice<std::optional<umbrella::CurveMode>, umbrella::CurveMode>(
+      sub,
+      {"--curve", "MODE",
+       "Of points in the plane: auto, paper, closed, open, tsp or mutual "
+       "[auto]"},
+      request.curve,
+      {{"auto", umbrella::CurveMode::Auto},
+       {"paper", umbrella::CurveMode::Paper},
+       {"closed", umbrella::CurveMode::Closed},
+       {"open", umbrella::CurveMode::Open},
+       {"tsp", umbrella::CurveMode::Tour},
+       {"mutual", umbrella::CurveMode::Mutual}});
 }
 
 }  // namespace

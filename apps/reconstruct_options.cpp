@@ -1,7 +1,6 @@
 #include "apps/reconstruct_options.h"
 
 #include <CLI/CLI.hpp>
-#include <map>
 
 #include "apps/option_checks.h"
 
@@ -24,14 +23,14 @@ void add_output_options(CLI::App& sub, ReconstructOptions& options) {
 }
 
 void add_closing_options(CLI::App& sub, Request& request) {
-  sub.add_option("--close", request.close,
-                 "best: worst triangles last, no point left out if possible; "
-                 "paper: any solution of the paper's program [best]")
-      ->transform(
-          CLI::CheckedTransformer(std::map<std::string, umbrella::CloseMode>{
-              {"best", umbrella::CloseMode::Best},
-              {"paper", umbrella::CloseMode::Paper}}))
-      ->type_name("MODE");
+  add_choice<umbrella::CloseMode, umbrella::CloseMode>(
+      sub,
+      {"--close", "MODE",
+       "best: worst triangles last, no point left out if possible; "
+       "paper: any solution of the paper's program [best]"},
+      request.close,
+      {{"best", umbrella::CloseMode::Best},
+       {"paper", umbrella::CloseMode::Paper}});
   sub.add_option(
          "--time-limit", request.time_limit,
          "Seconds for closing; regions undecided by then are closed by cell "
@@ -57,17 +56,15 @@ void add_program_options(CLI::App& sub, Request& request) {
 
 void add_run_options(CLI::App& sub, ReconstructOptions& options) {
   sub.add_option("--threads", options.request.threads,
-                 "At most so many threads, in space [1]")
-      ->check(CLI::Range(1U, 4096U))
+                 "At most so many threads, in space: 1 to 4096 [1]")
+      ->check(CLI::Range(1U, 4096U).description(""))
       ->type_name("N");
   sub.add_flag("--quiet", options.quiet, "No summary, no progress");
-  sub.add_option("--color", options.color, "auto, always or never [auto]")
-      ->transform(
-          CLI::CheckedTransformer(std::map<std::string, terminal::Color>{
-              {"auto", terminal::Color::Auto},
-              {"always", terminal::Color::Always},
-              {"never", terminal::Color::Never}}))
-      ->type_name("WHEN");
+  add_choice<terminal::Color, terminal::Color>(
+      sub, {"--color", "WHEN", "auto, always or never [auto]"}, options.color,
+      {{"auto", terminal::Color::Auto},
+       {"always", terminal::Color::Always},
+       {"never", terminal::Color::Never}});
 }
 
 }  // namespace command

@@ -2,6 +2,7 @@
 // into one line and an exit code.
 
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -69,6 +70,8 @@ ExitCode run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   const auto end = [](ExitCode code) { return static_cast<int>(code); };
+  // A file beyond the limit of sizes is then an error like a full disk.
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
     return end(run(argc, argv));
   } catch (const io::ParseError& e) {

@@ -16,6 +16,7 @@
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::StartsWith;
 using Json = nlohmann::json;
 
@@ -70,13 +71,25 @@ TEST_F(Command, RefusesBadUsageInOneLine) {
   expect_error("reconstrukt p.xyz", "reconstrukt");
   expect_error("reconstruct", "in is required");
   expect_error("reconstruct p.xyz --frobnicate", "--frobnicate");
-  expect_error("reconstruct p.xyz --stage sideways", "sideways");
-  expect_error("reconstruct p.xyz --close worst", "worst");
-  expect_error("reconstruct p.xyz --criterion none", "none");
+  expect_error("reconstruct p.xyz --stage sideways",
+               "--stage: 'sideways' is none of filter, clean, closed\n");
+  expect_error("reconstruct p.xyz --stage 2", "'2' is none of");
+  expect_error("reconstruct p.xyz --close worst",
+               "--close: 'worst' is none of best, paper\n");
+  expect_error("reconstruct p.xyz --color red",
+               "--color: 'red' is none of auto, always, never\n");
+  expect_error("reconstruct p.xyz --criterion none",
+               "--criterion: 'none' is none of paper, no-gabriel, ");
+  expect_error("reconstruct p.xyz --umbrella last",
+               "--umbrella: 'last' is none of first, ");
+  expect_error("reconstruct p.xyz --curve round",
+               "--curve: 'round' is none of auto, paper, closed, open, tsp, "
+               "mutual\n");
   expect_error("reconstruct p.xyz --time-limit -1", "--time-limit");
   expect_error("reconstruct p.xyz --time-limit nan", "--time-limit");
   expect_error("reconstruct p.xyz --threads 0", "--threads");
   expect_error("reconstruct p.xyz --threads two", "--threads");
+  expect_error("reconstruct p.xyz --threads", "--threads: 1 required N miss");
   expect_error("reconstruct p.xyz -o mesh.xyz", "mesh.xyz: cannot write");
   expect_error("reconstruct p.xyz -o no/mesh.ply", "no/mesh.ply: cannot write");
   expect_error("reconstruct p.xyz -o " + std::string(300, 'x') + ".ply", "xxx");
@@ -91,6 +104,8 @@ TEST_F(Command, RefusesBadUsageInOneLine) {
   expect_error("generate klein-bottle -n 3", "klein-bottle");
   expect_error("generate knot -n 0", "--count");
   expect_error("generate knot -n 1e3", "--count");
+  expect_error("generate knot -n 134217729", "--count");
+  expect_error("generate knot -n 3 --seed -1", "--seed: Value -1 is negative");
   expect_error("generate knot -n 3 --noise -1", "noise");
   expect_error("check", "mesh is required");
 }
@@ -258,6 +273,22 @@ TEST_F(Command, NoticesAFullStandardOutput) {
     EXPECT_THAT(result.err,
                 StartsWith("umbrella: error: <stdout>: cannot write"));
   }
+}
+
+// The limit of the shell counts in blocks of 512 or 1024 bytes.
+TEST_F(Command, LeavesNoHalfFileWhereFilesMayNotGrow) {
+  ASSERT_EQ(run("generate sphere -n 300 -o s.ply").status, 0);
+  const std::string line = "cd '" + folder_.path("") + "' && ulimit -f 4 && '" +
+                           kCommandPath +
+                           "' reconstruct s.ply -o mesh.ply 2>err >out";
+  const int status = std::system(line.c_str());
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 2);
+  EXPECT_THAT(folder_.content("err"),
+              StartsWith("umbrella: error: mesh.ply: cannot write: "));
+  for (const auto& entry :
+       std::filesystem::directory_iterator(folder_.path("")))
+    EXPECT_THAT(entry.path().filename().string(), Not(HasSubstr("mesh")));
 }
 
 // Some programs of this set are given up at a limit, and solved once grown.

@@ -289,5 +289,52 @@ TEST(Curve, NamesTheRowThatIsNotFinite) {
   EXPECT_THROW(reconstruct_curve(points), std::invalid_argument);
 }
 
+/// Also where squares of distances overflow or vanish, or sums nearly do.
+TEST(ReconstructCurve, IsTheSameAtAnyScale) {
+  std::mt19937_64 rng(20261122);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  std::vector<Point2> points;
+  for (int i = 0; i < 60; ++i) {
+    const double angle = std::numbers::pi * unit(rng);
+    points.emplace_back(std::cos(angle) + 0.01 * unit(rng),
+                        std::sin(angle) + 0.01 * unit(rng));
+  }
+  for (const CurveMode mode :
+       {CurveMode::Auto, CurveMode::Paper, CurveMode::Closed, CurveMode::Open,
+        CurveMode::Tour, CurveMode::Mutual}) {
+    const auto expected = reconstruct_curve(points, {.mode = mode});
+    for (const int exponent : {-960, -800, -300, 300, 800, 1022}) {
+      SCOPED_TRACE(testing::Message() << "mode " << static_cast<int>(mode)
+                                      << ", times 2^" << exponent);
+      std::vector<Point2> scaled;
+      for (const Point2& p : points)
+        scaled.emplace_back(std::ldexp(p.x(), exponent),
+                            std::ldexp(p.y(), exponent));
+      const auto result = reconstruct_curve(scaled, {.mode = mode});
+      EXPECT_EQ(result.edges, expected.edges);
+      EXPECT_EQ(result.tour.has_value(), mode == CurveMode::Tour);
+      if (!result.tour) continue;
+      EXPECT_EQ(result.tour->length,
+                std::ldexp(expected.tour->length, exponent));
+    }
+  }
+}
+
+/// No power of two leaves all of them as they are, and a spacing times the
+/// price of a gap is infinite.
+TEST(ReconstructCurve, EndsWhereScalesAreFarApart) {
+  std::mt19937_64 rng(1);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  std::vector<Point2> points = {{0, 1e-305}, {1e-300, 1e-300}};
+  for (int i = 0; i < 200; ++i) {
+    const double angle = std::numbers::pi * unit(rng);
+    points.emplace_back(std::ldexp(std::cos(angle) + 0.05 * unit(rng), 1000),
+                        std::ldexp(std::sin(angle) + 0.05 * unit(rng), 1000));
+  }
+  const auto result = reconstruct_curve(points, {.mode = CurveMode::Tour});
+  EXPECT_EQ(result.counts.duplicates, 0U);
+  EXPECT_TRUE(result.tour);
+}
+
 }  // namespace
 }  // namespace umbrella

@@ -151,9 +151,10 @@ TEST_F(MeshFile, RefusesIndicesOutOfRange) {
       "property float y\nproperty float z\nelement face 1\n"
       "property list char int vertex_indices\nend_header\n"
       "0 0 0\n1 0 0\n1 1 0\n";
-  EXPECT_THAT(error(ply + "3 0 1 3\n"), HasSubstr("in:13:7: no vertex index"));
-  EXPECT_THAT(error(ply + "3 0 1 1.5\n"), HasSubstr("in:13:7: no vertex"));
-  EXPECT_THAT(error(ply + "-3 0 1 2\n"), HasSubstr("not a list length"));
+  EXPECT_EQ(error(ply + "3 0 1 3\n"), "in:13:7: no vertex index below 3: '3'");
+  EXPECT_EQ(error(ply + "3 0 1 1.5\n"),
+            "in:13:7: no vertex index below 3: '1.5'");
+  EXPECT_THAT(error(ply + "-3 0 1 2\n"), HasSubstr("not a list length: '-3'"));
 }
 
 TEST_F(MeshFile, RefusesFilesWithoutAMesh) {

@@ -7,6 +7,7 @@
 #include <random>
 #include <set>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "apps/shapes.h"
@@ -16,6 +17,7 @@
 #include "umbrella/criterion.h"
 #include "umbrella/essential_loops_internal.h"
 #include "umbrella/filter.h"
+#include "umbrella/given_faces.h"
 #include "umbrella/labelling_internal.h"
 #include "umbrella/local_repair_internal.h"
 #include "umbrella/point_groups_internal.h"
@@ -72,6 +74,24 @@ TEST(EssentialLoops, AreThereOnSurfacesWithHandlesOnly) {
   for (const auto& loop : loops.shortest(5))
     EXPECT_LT(loop.back(), VertexId{25});  // of the first torus
   EXPECT_FALSE(loops.shortest(5).empty());
+}
+
+TEST(EssentialLoops, TellTubesByLoopsThatDoNotMeet) {
+  EssentialLoops long_tube(5 * 9, grid_torus(5, 9, 0));
+  EXPECT_TRUE(long_tube.shortest_round_no_tube(5).empty());
+  EssentialLoops four(3 * 4, grid_torus(3, 4, 0));
+  EXPECT_TRUE(four.shortest_round_no_tube(3).empty());
+  EssentialLoops three(3 * 3, grid_torus(3, 3, 0));
+  EXPECT_FALSE(three.shortest(3).empty());
+  EXPECT_EQ(three.shortest_round_no_tube(3), three.shortest(3));
+
+  std::vector<Triangle> both = grid_torus(5, 9, 0);
+  const std::vector<Triangle> other = grid_torus(3, 3, 45);
+  both.insert(both.end(), other.begin(), other.end());
+  EssentialLoops loops(45 + 9, both);
+  EXPECT_FALSE(loops.shortest_round_no_tube(5).empty());
+  for (const auto& loop : loops.shortest_round_no_tube(5))
+    EXPECT_GE(loop.front(), VertexId{45});
 }
 
 TEST(EssentialLoops, NeedMoreThanOneWordOfBits) {
@@ -187,6 +207,20 @@ TEST(Topology, KeepsHandlesThatAreSampled) {
   }
 }
 
+/// So few points that five go round the tube.
+TEST(Topology, KeepsThinTubes) {
+  for (const auto& [shape, n] :
+       {std::pair{"torus", 70}, {"torus", 90}, {"knot", 600}})
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+      SCOPED_TRACE(testing::Message() << shape << ' ' << n << ", " << seed);
+      const std::vector<Point3> points = shapes::sample(
+          shape, static_cast<std::size_t>(n), {.seed = seed, .noise = 0});
+      const Reconstruction result = reconstruct(points);
+      EXPECT_EQ(result.surface.genus, 1);
+      EXPECT_EQ(result.closing.handles_removed, 0U);
+    }
+}
+
 void expect_whole(std::span<const Point3> points, std::int64_t genus) {
   const SurfaceReport surface = reconstruct(points).surface;
   EXPECT_TRUE(surface.closed && surface.manifold);
@@ -203,19 +237,23 @@ TEST(Topology, SeesAPlateThatIsOneSpacingThick) {
   }
 }
 
-/// 0.1 apart with 2 of area. They have open rims, over which the surface has to
-/// find its own way: of 40 samples three get a hole through both.
+/// 0.1 apart with 2 of area: so 200 points are as far from each other. They
+/// have open rims, over which the surface has to find its own way: of 200
+/// samples of 200 points, six get a hole through both.
 TEST(Topology, SeesTwoSheetsThatAreOneSpacingApart) {
-  int n_right = 0;
-  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-    const SurfaceReport surface =
-        reconstruct(shapes::sample("two-sheets", 200, {.seed = seed})).surface;
-    EXPECT_TRUE(surface.closed && surface.manifold);
-    EXPECT_EQ(surface.components, 1U);
-    EXPECT_TRUE(surface.unused_vertices.empty());
-    n_right += surface.genus == 0 ? 1 : 0;
+  for (const std::size_t n : {150, 200}) {
+    SCOPED_TRACE(testing::Message() << n << " points");
+    int n_right = 0;
+    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+      const SurfaceReport surface =
+          reconstruct(shapes::sample("two-sheets", n, {.seed = seed})).surface;
+      EXPECT_TRUE(surface.closed && surface.manifold);
+      EXPECT_EQ(surface.components, 1U);
+      EXPECT_TRUE(surface.unused_vertices.empty());
+      n_right += surface.genus == 0 ? 1 : 0;
+    }
+    EXPECT_GE(n_right, 9);
   }
-  EXPECT_GE(n_right, 9);
 }
 
 /// Of the extent, in each coordinate.
@@ -316,6 +354,47 @@ TEST(LocalRepair, BringsInPointsThatAreLeftOut) {
           shapes::sample(shape, 1000, {.seed = seed, .noise = 0.3})));
     }
   EXPECT_GE(n_out, 4U);
+}
+
+/// The surface of each sphere alone, as triangles of both.
+std::vector<LocatedTriangle> surfaces_apart(
+    const std::vector<Point3>& points,
+    const delaunay::Triangulation3& triangulation) {
+  std::vector<IndexedTriangle> faces;
+  for (const auto& [first, n] : {std::pair{0UL, kLarge}, {kLarge, kSmall}})
+    for (IndexedTriangle t :
+         reconstruct(std::span(points).subspan(first, n)).triangles) {
+      for (std::uint32_t& row : t) row += static_cast<std::uint32_t>(first);
+      faces.push_back(t);
+    }
+  const GivenFaces given =
+      locate_faces(triangulation, Circumspheres(triangulation), faces);
+  EXPECT_EQ(given.counts.kept, faces.size());
+  std::vector<LocatedTriangle> triangles;
+  for (const RankedTriangle& t : given.triangles)
+    triangles.push_back({t.corners, t.facet});
+  return triangles;
+}
+
+TEST(LocalRepair, JoinsPiecesThatHangTogether) {
+  for (const double gap : {0.5, 4.0})
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+      SCOPED_TRACE(testing::Message() << "gap " << gap << ", seed " << seed);
+      const std::vector<Point3> points = two_spheres(gap, seed);
+      const delaunay::Triangulation3 triangulation(points);
+      std::vector<LocatedTriangle> triangles =
+          surfaces_apart(points, triangulation);
+      ASSERT_EQ(judged(triangulation, triangles).components, 2U);
+
+      const LocalRepair repaired = repair_locally(triangulation, {}, triangles);
+      const SurfaceReport after = judged(triangulation, triangles);
+      EXPECT_EQ(after.components, gap < 1 ? 1U : 2U);
+      EXPECT_EQ(repaired.pieces_joined, gap < 1 ? 1U : 0U);
+      EXPECT_EQ(repaired.handles_removed + repaired.brought_in, 0U);
+      EXPECT_TRUE(after.closed && after.manifold);
+      EXPECT_EQ(after.genus, 0);
+      EXPECT_TRUE(after.unused_vertices.empty());
+    }
 }
 
 }  // namespace

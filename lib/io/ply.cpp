@@ -4,8 +4,11 @@
 // have the same members.
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <limits>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "io/binary_internal.h"
@@ -34,6 +37,14 @@ constexpr TypeName kTypeNames[] = {
 std::size_t size_of(Type type) {
   constexpr std::size_t kSizes[] = {1, 1, 2, 2, 4, 4, 4, 8};
   return kSizes[static_cast<std::size_t>(type)];
+}
+
+// As it may have stood in the file: '4', not '4.000000'.
+std::string quoted_number(double value) {
+  std::array<char, 32> buffer;
+  const char* const end =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
+  return quoted({buffer.data(), end});
 }
 
 // What a property is to us.
@@ -331,7 +342,7 @@ class BodyParser {
 
   std::int64_t whole(double value) const {
     if (!(value >= 0 && value <= kMaxVertices) || value != std::floor(value))
-      body_.fail("not a list length: '" + std::to_string(value) + "'");
+      body_.fail("not a list length: " + quoted_number(value));
     return static_cast<std::int64_t>(value);
   }
 
@@ -340,7 +351,7 @@ class BodyParser {
     const auto limit = static_cast<double>(header_.n_vertices);
     if (!(value >= 0 && value < limit) || value != std::floor(value))
       body_.fail("no vertex index below " + std::to_string(header_.n_vertices) +
-                 ": '" + std::to_string(value) + "'");
+                 ": " + quoted_number(value));
     return static_cast<std::uint32_t>(value);
   }
 

@@ -1,6 +1,8 @@
 #include "umbrella/curve.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <iterator>
 #include <utility>
 
@@ -153,6 +155,26 @@ namespace {
 /// Spacings that no edge exceeds in earnest: curves do not end.
 constexpr double kNoGap = 1e9;
 
+/// The exponent of the largest coordinate, if products of distances may leave
+/// the range of doubles and all coordinates can be divided by that power of two
+/// without rounding; else 0.
+int far_exponent(std::span<const Point2> points) {
+  constexpr int kNear = 256;
+  double largest = 0;
+  for (const Point2& p : points)
+    largest = std::max(largest, p.cwiseAbs().maxCoeff());
+  if (largest == 0 || !std::isfinite(largest)) return 0;
+  const int exponent = std::ilogb(largest);
+  if (std::abs(exponent) < kNear) return 0;
+  const auto is_exact = [exponent](double x) {
+    return std::ldexp(std::ldexp(x, -exponent), exponent) == x;
+  };
+  const bool are_exact = std::ranges::all_of(points, [&](const Point2& p) {
+    return is_exact(p.x()) && is_exact(p.y());
+  });
+  return are_exact ? exponent : 0;
+}
+
 /// One run of the pipeline.
 class Run {
  public:
@@ -295,7 +317,17 @@ class Run {
 
 CurveReconstruction reconstruct_curve(std::span<const Point2> points,
                                       const CurveOptions& options) {
-  return Run(points, options).go();
+  const int exponent = far_exponent(points);
+  if (exponent == 0) return Run(points, options).go();
+  std::vector<Point2> near_one(points.begin(), points.end());
+  for (Point2& p : near_one)
+    p = {std::ldexp(p.x(), -exponent), std::ldexp(p.y(), -exponent)};
+  CurveReconstruction result = Run(near_one, options).go();
+  if (result.tour) {
+    result.tour->length = std::ldexp(result.tour->length, exponent);
+    result.tour->bound = std::ldexp(result.tour->bound, exponent);
+  }
+  return result;
 }
 
 }  // namespace umbrella

@@ -31,6 +31,9 @@ constexpr double kSpreadPower = 3;
 // Spacings that joining a piece may cost, as a part of kEndPrice.
 constexpr double kJoinPart = 0.75;
 
+// Sums of a few prices are finite, so that what a trail gains is a number.
+constexpr double kMostPrice = std::numeric_limits<double>::max() / 64;
+
 double end_price(const CurveAutoOptions& options, const Triangulation2& t,
                  const CurveLinks& agreed) {
   if (options.gap) return *options.gap / 2;
@@ -107,8 +110,9 @@ class AutoCurves {
     const CurveLinks agreed = links_;
     Spacings spacings(graph, agreed);
     const auto spacing_at = [&](VertexId v) { return spacings(v); };
-    CurveDescent descent(graph, links_,
-                         [&](VertexId v) { return price * spacings(v); });
+    CurveDescent descent(graph, links_, [&](VertexId v) {
+      return std::min(price * spacings(v), kMostPrice);
+    });
     descent.run(with_neighbors(graph, doubtful));
     report_.moves = descent.n_moves();
 

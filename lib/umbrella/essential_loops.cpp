@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "umbrella/essential_loops_internal.h"
 
@@ -9,6 +10,19 @@ namespace {
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 constexpr std::size_t kBits = 64;
+
+using Loops = std::vector<std::vector<VertexId>>;
+
+/// The short ones first.
+bool is_before(const std::vector<VertexId>& a, const std::vector<VertexId>& b) {
+  return a.size() != b.size() ? a.size() < b.size() : a < b;
+}
+
+/// Each once, in order.
+void sort_out(Loops& loops) {
+  std::sort(loops.begin(), loops.end(), is_before);
+  loops.erase(std::unique(loops.begin(), loops.end()), loops.end());
+}
 
 }  // namespace
 
@@ -198,43 +212,86 @@ std::vector<bool> EssentialLoops::widened(std::vector<bool> vertices,
 bool EssentialLoops::has_loop(unsigned max_edges) {
   const std::vector<bool> starts = labelled_ends();
   for (std::uint32_t v = 0; v < starts.size(); ++v)
-    if (starts[v] && !shortest_through(VertexId{v}, max_edges).empty())
+    if (starts[v] && !shortest_through(VertexId{v}, max_edges).vertices.empty())
       return true;
   return false;
+}
+
+std::vector<std::vector<VertexId>> EssentialLoops::shortest(
+    unsigned max_edges) {
+  Loops result;
+  for (Loop& loop : all_shortest(max_edges))
+    result.push_back(std::move(loop.vertices));
+  sort_out(result);
+  return result;
+}
+
+std::vector<std::vector<VertexId>> EssentialLoops::shortest_round_no_tube(
+    unsigned max_edges) {
+  std::vector<Loop> loops = all_shortest(max_edges);
+  std::sort(loops.begin(), loops.end(), [](const Loop& a, const Loop& b) {
+    if (a.label != b.label) return a.label < b.label;
+    return is_before(a.vertices, b.vertices);
+  });
+  Loops result;
+  for (auto first = loops.begin(); first != loops.end();) {
+    const auto last = std::find_if(first, loops.end(), [&](const Loop& loop) {
+      return loop.label != first->label;
+    });
+    if (!go_round_tube({first, last}))
+      for (auto loop = first; loop != last; ++loop)
+        result.push_back(std::move(loop->vertices));
+    first = last;
+  }
+  sort_out(result);
+  return result;
+}
+
+/// Counts loops of one class that have no vertex in common: the first, and each
+/// that does not meet one counted before.
+bool EssentialLoops::go_round_tube(std::span<const Loop> loops) {
+  std::size_t n = 0;
+  const auto is_met = [this](VertexId v) {
+    return step_of_vertex_[index(v)] != kNone;
+  };
+  for (const auto& [vertices, label] : loops) {
+    if (std::any_of(vertices.begin(), vertices.end(), is_met)) continue;
+    ++n;
+    for (const VertexId v : vertices) step_of_vertex_[index(v)] = 0;
+  }
+  for (const auto& [vertices, label] : loops)
+    for (const VertexId v : vertices) step_of_vertex_[index(v)] = kNone;
+  return n >= kTube;
 }
 
 /// An essential loop has a labelled edge. So if none goes through the smaller
 /// end of one, there is none; and no vertex of a loop is more than half its
 /// length away from such an end.
-std::vector<std::vector<VertexId>> EssentialLoops::shortest(
+std::vector<EssentialLoops::Loop> EssentialLoops::all_shortest(
     unsigned max_edges) {
   std::vector<bool> starts = labelled_ends();
-  std::vector<std::vector<VertexId>> loops = shortest(starts, max_edges);
+  std::vector<Loop> loops = shortest_through(starts, max_edges);
   if (loops.empty()) return loops;
-  loops = shortest(widened(std::move(starts), max_edges / 2), max_edges);
-  std::sort(loops.begin(), loops.end(), [](const auto& a, const auto& b) {
-    return a.size() != b.size() ? a.size() < b.size() : a < b;
-  });
-  loops.erase(std::unique(loops.begin(), loops.end()), loops.end());
-  return loops;
+  return shortest_through(widened(std::move(starts), max_edges / 2), max_edges);
 }
 
-std::vector<std::vector<VertexId>> EssentialLoops::shortest(
+std::vector<EssentialLoops::Loop> EssentialLoops::shortest_through(
     const std::vector<bool>& starts, unsigned max_edges) {
-  std::vector<std::vector<VertexId>> loops;
+  std::vector<Loop> loops;
   for (std::uint32_t v = 0; v < starts.size(); ++v) {
     if (!starts[v]) continue;
     loops.push_back(shortest_through(VertexId{v}, max_edges));
-    if (loops.back().empty()) loops.pop_back();
+    if (loops.back().vertices.empty()) loops.pop_back();
   }
   return loops;
 }
 
-std::vector<VertexId> EssentialLoops::shortest_through(VertexId start,
-                                                       unsigned max_edges) {
+EssentialLoops::Loop EssentialLoops::shortest_through(VertexId start,
+                                                      unsigned max_edges) {
   walk(start, max_edges / 2);
   unsigned best = max_edges + 1;
   std::array<std::uint32_t, 2> last = {0, 0};
+  std::uint32_t last_edge = 0;
   for (std::uint32_t a = 0; a < steps_.size(); ++a)
     for (const auto& [end, edge] : spokes(steps_[a].vertex)) {
       const std::uint32_t b = step_of_vertex_[index(end)];
@@ -243,15 +300,20 @@ std::vector<VertexId> EssentialLoops::shortest_through(VertexId start,
       if (length >= best || !is_essential(a, b, edge)) continue;
       best = length;
       last = {a, b};
+      last_edge = edge;
     }
-  std::vector<VertexId> loop;
+  Loop loop;
   if (best <= max_edges) {
+    std::vector<VertexId>& vertices = loop.vertices;
     for (std::uint32_t at : last) {
-      for (; at != 0; at = steps_[at].from) loop.push_back(steps_[at].vertex);
+      for (; at != 0; at = steps_[at].from)
+        vertices.push_back(steps_[at].vertex);
     }
-    loop.push_back(start);
-    std::sort(loop.begin(), loop.end());
-    loop.erase(std::unique(loop.begin(), loop.end()), loop.end());
+    vertices.push_back(start);
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()),
+                   vertices.end());
+    loop.label = label_of_loop(last[0], last[1], last_edge);
   }
   for (const Step& step : steps_) step_of_vertex_[index(step.vertex)] = kNone;
   return loop;
@@ -273,6 +335,16 @@ void EssentialLoops::walk(VertexId start, unsigned max_depth) {
                                  label_[edge * n_words_ + w]);
     }
   }
+}
+
+/// The label of the loop that the edge between two steps closes.
+std::vector<EssentialLoops::Word> EssentialLoops::label_of_loop(
+    std::size_t a, std::size_t b, std::uint32_t edge) const {
+  std::vector<Word> label(n_words_);
+  for (std::size_t w = 0; w < n_words_; ++w)
+    label[w] = label_of_step_[a * n_words_ + w] ^
+               label_of_step_[b * n_words_ + w] ^ label_[edge * n_words_ + w];
+  return label;
 }
 
 /// Whether the loop that the edge between two steps closes does not bound.

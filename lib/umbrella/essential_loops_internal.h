@@ -36,6 +36,11 @@ class EssentialLoops {
   /// short ones first, each once.
   std::vector<std::vector<VertexId>> shortest(unsigned max_edges);
 
+  /// Those of shortest() that do not go round a tube. A tube has at least
+  /// kTube such loops that have no vertex in common and bound pairwise.
+  std::vector<std::vector<VertexId>> shortest_round_no_tube(unsigned max_edges);
+  static constexpr std::size_t kTube = 4;
+
  private:
   struct Edge {
     std::array<VertexId, 2> ends;
@@ -59,6 +64,10 @@ class EssentialLoops {
     std::vector<bool> is_met;
   };
   using Word = std::uint64_t;
+  struct Loop {
+    std::vector<VertexId> vertices;  // ascending
+    std::vector<Word> label;
+  };
 
   void find_edges(std::span<const Triangle> triangles);
   void add_edge(const Edge& edge);
@@ -80,11 +89,15 @@ class EssentialLoops {
   bool is_labelled(std::uint32_t edge) const;
   std::vector<bool> labelled_ends() const;
   std::vector<bool> widened(std::vector<bool> vertices, unsigned n_edges) const;
-  std::vector<std::vector<VertexId>> shortest(const std::vector<bool>& starts,
-                                              unsigned max_edges);
-  std::vector<VertexId> shortest_through(VertexId start, unsigned max_edges);
+  std::vector<Loop> all_shortest(unsigned max_edges);
+  std::vector<Loop> shortest_through(const std::vector<bool>& starts,
+                                     unsigned max_edges);
+  Loop shortest_through(VertexId start, unsigned max_edges);
   void walk(VertexId start, unsigned max_depth);
+  std::vector<Word> label_of_loop(std::size_t a, std::size_t b,
+                                  std::uint32_t edge) const;
   bool is_essential(std::size_t a, std::size_t b, std::uint32_t edge) const;
+  bool go_round_tube(std::span<const Loop> loops);
 
   std::vector<Edge> edges_;
   bool has_boundary_ = false;

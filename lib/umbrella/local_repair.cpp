@@ -12,10 +12,12 @@ namespace {
 
 constexpr std::size_t kMostVertices = 300;
 
-/// Every piece that is no larger is banned, and no larger one looked for.
-ClosingOptions with_small_pieces(ClosingOptions options) {
-  options.piece_triangles =
-      std::max(options.piece_triangles, 2 * kMostVertices);
+/// Every piece that is no larger is banned, and no larger one looked for. The
+/// whole surface is none: of two pieces one has no more than half of it.
+ClosingOptions with_small_pieces(ClosingOptions options,
+                                 std::size_t n_triangles) {
+  options.piece_triangles = std::max(
+      options.piece_triangles, std::min(2 * kMostVertices, n_triangles / 2));
   options.piece_part = options.joined_part = 0;
   return options;
 }
@@ -82,14 +84,14 @@ class Census {
 
 using Loops = std::vector<std::vector<VertexId>>;
 
-/// Those of at most so many edges that go round a handle.
+/// Those of at most so many edges that go round a handle and no tube.
 Loops short_loops(std::size_t n_vertices,
                   std::span<const LocatedTriangle> triangles,
                   unsigned max_edges) {
   std::vector<Triangle> corners(triangles.size());
   std::transform(triangles.begin(), triangles.end(), corners.begin(),
                  [](const LocatedTriangle& t) { return t.corners; });
-  return EssentialLoops(n_vertices, corners).shortest(max_edges);
+  return EssentialLoops(n_vertices, corners).shortest_round_no_tube(max_edges);
 }
 
 class Repair {
@@ -98,7 +100,7 @@ class Repair {
          const ClosingOptions& options,
          std::span<const RankedTriangle> triangles, Census census)
       : options_(options),
-        local_options_(with_small_pieces(options)),
+        local_options_(with_small_pieces(options, triangles.size())),
         surface_(triangulation.points().size(), triangles),
         is_open_(triangulation.points().size()),
         groups_(triangulation, triangles),
