@@ -90,10 +90,6 @@ class alignas(128) BowyerWatson3 {  // shares no cache line with another
   void link_large_star();
   void link(Facet a, Facet b);
 
-  /// What Site::rim_place holds in its upper half during an insertion.
-  static std::uint64_t stamp(VertexId apex) {
-    return std::uint64_t{index(apex)} << 32U;
-  }
   const double* at(VertexId v) const { return sites_[index(v)].at.data(); }
   Site& site(VertexId v) {
     return v == kInfinite ? infinite_site_ : sites_[index(v)];

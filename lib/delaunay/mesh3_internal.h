@@ -17,12 +17,12 @@
 namespace delaunay {
 
 struct Mesh3 {
-  /// A vertex, and its place on the rim of a cavity in the lower half of
-  /// `rim_place`; in the upper half, which vertex was inserted there. Half a
-  /// cache line.
+  /// A vertex, and its number on the rim of the cavity in which `apex` was
+  /// inserted. Half a cache line.
   struct alignas(32) Site {
     std::array<double, 3> at;
-    std::uint64_t rim_place = ~std::uint64_t{0};
+    std::uint32_t rim_number = 0;
+    VertexId apex = kInfinite;
   };
 
   /// @param points  distinct; quickest if their coordinates fill [-1, 1], for

@@ -43,21 +43,22 @@ class LatticeTies {
     const Words normals = halves_swapped(cross(ac, bd));  // c x d, a x b
     // The weights of the corners' raises: det(b, c, d), -det(a, c, d),
     // det(a, b, d), -det(a, b, c).
-    const Words weight_ac = dot(bd, normals);
-    const Words minus_weight_bd = dot(ac, normals);
-    const Words place_ac = last(ac);
-    const Words place_bd = last(bd);
-    const Words raises =
+    const Signed weight_ac = dot(bd, normals);
+    const Signed minus_weight_bd = dot(ac, normals);
+    const Signed place_ac = last(ac);
+    const Signed place_bd = last(bd);
+    const Signed raises =
         max((weight_ac > 0) & place_ac, (minus_weight_bd < 0) & place_bd);
-    const Words lowers =
+    const Signed lowers =
         max((weight_ac < 0) & place_ac, (minus_weight_bd > 0) & place_bd);
     return largest(raises) > largest(lowers);
   }
 
  private:
-  /// Of a point each half, as LatticePoint has it; or a number in the first
-  /// place of each half, and anything in the others.
-  using Words [[gnu::vector_size(16)]] = std::int16_t;
+  /// Of a point each half, as LatticePoint has it.
+  using Words [[gnu::vector_size(16)]] = std::uint16_t;
+  /// A number in the first place of each half, and anything in the others.
+  using Signed [[gnu::vector_size(16)]] = std::int16_t;
   using Pairs [[gnu::vector_size(16)]] = std::uint32_t;
   using Halves [[gnu::vector_size(16)]] = std::uint64_t;
 
@@ -65,31 +66,31 @@ class LatticeTies {
     return std::bit_cast<Words>(
         Halves{static_cast<std::uint64_t>(p), static_cast<std::uint64_t>(q)});
   }
-  static Words halves_swapped(Words w) {
+  template <class Vector>
+  static Vector halves_swapped(Vector w) {
     return __builtin_shufflevector(w, w, 4, 5, 6, 7, 0, 1, 2, 3);
   }
   static Words yzx(Words w) {
     return __builtin_shufflevector(w, w, 1, 2, 0, 3, 5, 6, 4, 7);
   }
-  static Words max(Words p, Words q) { return p > q ? p : q; }
+  static Signed max(Signed p, Signed q) { return p > q ? p : q; }
 
   /// With 0 in the last place.
   static Words cross(Words p, Words q) { return yzx(p * yzx(q) - yzx(p) * q); }
-  static Words last(Words w) {
-    return std::bit_cast<Words>(std::bit_cast<Halves>(w) >> 48U);
+  static Signed last(Words w) {
+    return std::bit_cast<Signed>(std::bit_cast<Halves>(w) >> 48U);
   }
   /// @param q  with 0 in the last place
-  static Words dot(Words p, Words q) {
+  static Signed dot(Words p, Words q) {
     const Words terms = p * q;
     const Words two =
         terms + std::bit_cast<Words>(std::bit_cast<Pairs>(terms) >> 16U);
-    return two + std::bit_cast<Words>(std::bit_cast<Halves>(two) >> 32U);
+    return std::bit_cast<Signed>(
+        two + std::bit_cast<Words>(std::bit_cast<Halves>(two) >> 32U));
   }
-  /// Of the first number of each half, and 0.
-  static std::int16_t largest(Words w) {
-    const Words m = max(w, halves_swapped(w));
-    return m[0] > 0 ? m[0] : std::int16_t{0};
-  }
+  /// Of the first number of each half. No less than 0: weights of both signs
+  /// occur, as the query is outside the simplex, so one is masked.
+  static std::int16_t largest(Signed w) { return max(w, halves_swapped(w))[0]; }
 
   Words e_;
 };
