@@ -9,8 +9,10 @@
 #include <cmath>
 #include <cstddef>
 #include <random>
+#include <vector>
 
 #include "predicates/lattice.h"
+#include "predicates/lattice_ties.h"
 #include "tests/support/exact_oracle.h"
 #include "tests/support/predicate_inputs.h"
 
@@ -325,6 +327,61 @@ TEST(Lattice, AgreesOnCosphericalPoints) {
       ASSERT_EQ(l.insphere_perturbed(s[0].data(), s[1].data(), s[2].data(),
                                      s[3].data(), s[4].data()),
                 expected);
+  }
+}
+
+/// All points of the lattice whose distance from center / 2 is that of 0, if it
+/// is at most `reach`.
+std::vector<Point> sphere_through_origin(const std::array<int, 3>& center,
+                                         int reach) {
+  const auto [x, y, z] = center;
+  const int r2 = x * x + y * y + z * z;  // of doubled coordinates
+  std::vector<Point> points;
+  if (r2 > 4 * reach * reach) return points;
+  for (int i = -2 * reach; i <= 2 * reach; ++i)
+    for (int j = -2 * reach; j <= 2 * reach; ++j)
+      for (int k = -2 * reach; k <= 2 * reach; ++k) {
+        const int u = 2 * i - x, v = 2 * j - y, w = 2 * k - z;
+        if (u * u + v * v + w * w == r2)
+          points.push_back({1. * i, 1. * j, 1. * k});
+      }
+  return points;
+}
+
+bool is_inside_tied(const Simplex& s, double unit) {
+  using predicates::lattice_point;
+  const predicates::LatticeTies ties(lattice_point(s[4].data(), unit));
+  return ties.is_inside(
+      lattice_point(s[0].data(), unit), lattice_point(s[1].data(), unit),
+      lattice_point(s[2].data(), unit), lattice_point(s[3].data(), unit));
+}
+
+// Spheres of all radii that are allowed, the largest with points 16 apart; far
+// from the origin, where the numbers leave 16 bits.
+TEST(LatticeTies, AgreesWithThePredicateOnCosphericalPoints) {
+  constexpr int kReach = static_cast<int>(predicates::LatticeTies::kReach);
+  Rng rng(22);
+  for (int trial = 0; trial < 1000; ++trial) {
+    SCOPED_TRACE(testing::Message() << "trial " << trial);
+    const bool is_largest = trial % 4 == 0;
+    std::array<int, 3> center = {2 * kReach, 0, 0};
+    if (!is_largest)
+      for (int& x : center) x = inputs::below(rng, 4 * kReach + 1) - 2 * kReach;
+    const auto sphere = sphere_through_origin(center, kReach);
+    const double unit = std::ldexp(1, trial % 80 - 60);
+    const Point shift = {std::floor(inputs::uniform(rng) * 0x1p40),
+                         std::floor(inputs::uniform(rng) * 0x1p17), -3};
+    for (int draw = 0; draw < 50 && sphere.size() > 4; ++draw) {
+      Simplex s;
+      for (Point& p : s) {
+        p = sphere[inputs::below(rng, static_cast<int>(sphere.size()))];
+        for (std::size_t i = 0; i < 3; ++i) p[i] = (p[i] + shift[i]) * unit;
+      }
+      if (orient3d(s) <= 0 || std::count(s.begin(), s.end(), s[4]) > 1)
+        continue;
+      ASSERT_EQ(insphere(s), 0);
+      ASSERT_EQ(is_inside_tied(s, unit), insphere_perturbed(s) > 0);
+    }
   }
 }
 

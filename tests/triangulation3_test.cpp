@@ -195,6 +195,37 @@ TEST(Mesh3, RefusesMoreCellsThanItsNumbersHold) {
   EXPECT_THROW(n_finite_cells(3000), std::length_error);
 }
 
+std::vector<std::array<VertexId, 4>> sorted_corners(const Mesh3& mesh) {
+  std::vector<std::array<VertexId, 4>> all;
+  for (const Cell& cell : mesh.cells) {
+    all.push_back(cell.vertex);
+    std::ranges::sort(all.back());
+  }
+  std::ranges::sort(all);
+  return all;
+}
+
+// A grid with gaps, so that some spheres are larger than those of its cubes.
+TEST(Mesh3, HasTheSameCellsWithoutTheTieBreakOnLattices) {
+  std::mt19937_64 rng(15);
+  for (const int percent : {1, 10, 50, 100}) {
+    SCOPED_TRACE(testing::Message() << percent << " percent");
+    Input points = {{0, 0, 0}, {15, 0, 0}, {0, 15, 0}, {0, 0, 15}};
+    for (int i = 0; i < 4096; ++i)
+      if (static_cast<int>(rng() % 100) < percent)
+        points.emplace_back(i / 256, i / 16 % 16, i % 16);
+    const Triangulation3 t(points);
+    Mesh3 with(t.points());
+    Mesh3 without(t.points());
+    EXPECT_GT(with.tie_reach2, 0);
+    without.tie_reach2 = 0;
+    for (Mesh3* mesh : {&with, &without})
+      insert_all(*mesh, t.cells()[0].vertex, insertion_order(t.points().size()),
+                 {});
+    EXPECT_TRUE(sorted_corners(with) == sorted_corners(without));
+  }
+}
+
 TEST(Triangulation3, CountsOnlyInBuildsThatAskForIt) {
   const Triangulation3 t(make_points<3>(Family::Grid, 500, 13));
   const Counters& counters = t.counters();

@@ -79,7 +79,7 @@ void BowyerWatson3::start(const std::array<VertexId, 4>& first) {
 
 void BowyerWatson3::insert(VertexId v) {
   const double* p = at(v);
-  find_cavity(locate(hint_, p), p, Everything{});
+  find_cavity(locate(hint_, p), v, Everything{});
   mesh_.make_room(fresh_.end_after(n_fresh_cells()));
   cells_ = mesh_.cells.data();
   fill_cavity(v);
@@ -106,7 +106,7 @@ bool BowyerWatson3::insert_within_part(VertexId v) {
   if (!part_.owns(found)) return false;
   if (!found.is_infinite()) hint_ = seed;
   if (!in_conflict(found, p)) return false;
-  const bool is_within = find_cavity(seed, p, part_);
+  const bool is_within = find_cavity(seed, v, part_);
   lacks_room_ = fresh_.end_after(n_fresh_cells()) > mesh_.cells.size();
   if (is_within && !lacks_room_)
     fill_cavity(v);
@@ -195,11 +195,11 @@ bool BowyerWatson3::in_conflict(const Cell& cell, const double* p) const {
   const double d2 = squared_distance(cell, p);
   if (d2 < cell.inside2) return true;
   if (d2 > cell.outside2) return false;
+  count(counters_.exact_tests);
   return in_conflict_exact(cell, p);
 }
 
 bool BowyerWatson3::in_conflict_exact(const Cell& cell, const double* p) const {
-  count(counters_.exact_tests);
   const auto& v = cell.vertex;
   if (!cell.is_infinite())
     return mesh_.lattice.insphere_perturbed(at(v[0]), at(v[1]), at(v[2]),
@@ -220,6 +220,7 @@ void BowyerWatson3::lengthen_lists(std::size_t n) {
   cavity_.resize(n);
   boundary_.resize(n);
   open_.resize(n);
+  open_inside_.resize(n);
   star_.resize(n);
   corners_.resize(n);
   rim_.resize(n / 2 + 3);
@@ -230,14 +231,14 @@ void BowyerWatson3::lengthen_lists(std::size_t n) {
 // by; cells that need the exact predicate wait until no other is left. Ends
 // with false, and marks in place, where the cavity leaves the region.
 template <class Region>
-bool BowyerWatson3::find_cavity(CellId seed, const double* p,
-                                const Region& region) {
+bool BowyerWatson3::find_cavity(CellId seed, VertexId v, const Region& region) {
+  const double* p = at(v);
   CavitySearch search{.cells = cells_,
                       .cavity = cavity_.data(),
                       .boundary = boundary_.data(),
                       .open = open_.data(),
                       .p = {p[0], p[1], p[2]}};
-  search.add(Facet(seed, 0), true);
+  search.add_seed(seed);
   search.look(cells_[index(seed)].neighbor[0]);
   count(counters_.sphere_tests);
   std::size_t k = 0;
@@ -258,22 +259,32 @@ bool BowyerWatson3::find_cavity(CellId seed, const double* p,
     count(counters_.sphere_tests, 3);
     ++k;
     if (k == search.n_cavity && search.n_open > 0) [[unlikely]]
-      search = with_open_decided(search);
+      search = with_open_decided(search, v);
   }
   n_cavity_ = search.n_cavity;
   n_boundary_ = search.n_boundary;
   return k == search.n_cavity;
 }
 
-/// A cell met twice is open twice, but tested once. By value, so that the
-/// search that calls it can stay in registers.
-CavitySearch BowyerWatson3::with_open_decided(CavitySearch search) const {
+/// A cell met twice is open twice. All are tested before any is added, so that
+/// one test does not wait for another. By value, so that the search that calls
+/// it can stay in registers.
+CavitySearch BowyerWatson3::with_open_decided(CavitySearch search, VertexId v) {
+  const predicates::LatticePoint* const points = mesh_.lattice_points.data();
+  const float reach2 = mesh_.tie_reach2;
+  const predicates::LatticeTies ties(reach2 > 0 ? points[index(v)]
+                                                : predicates::LatticePoint{});
   for (std::size_t i = 0; i < search.n_open; ++i) {
-    const Facet f = search.open[i];
-    if (search.is_open(f))
-      search.add(f,
-                 in_conflict_exact(cells_[index(f.cell())], search.p.data()));
+    const Cell& cell = cells_[index(search.open[i].cell())];
+    const auto& [a, b, c, d] = cell.vertex;
+    open_inside_[i] = cell.outside2 <= reach2
+                          ? ties.is_inside(points[index(a)], points[index(b)],
+                                           points[index(c)], points[index(d)])
+                          : in_conflict_exact(cell, search.p.data());
   }
+  count(counters_.exact_tests, search.n_open);
+  for (std::size_t i = 0; i < search.n_open; ++i)
+    search.add_unless_seen(search.open[i], open_inside_[i]);
   search.n_open = 0;
   return search;
 }

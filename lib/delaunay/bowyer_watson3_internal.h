@@ -68,8 +68,8 @@ class alignas(128) BowyerWatson3 {  // shares no cache line with another
   bool in_conflict(const Cell& cell, const double* p) const;
   bool in_conflict_exact(const Cell& cell, const double* p) const;
   template <class Region>
-  bool find_cavity(CellId seed, const double* p, const Region& region);
-  CavitySearch with_open_decided(CavitySearch search) const;
+  bool find_cavity(CellId seed, VertexId v, const Region& region);
+  CavitySearch with_open_decided(CavitySearch search, VertexId v);
   void prefetch_around(Facet entry);
   void lengthen_lists(std::size_t n);
   void forget_cavity();
@@ -90,10 +90,6 @@ class alignas(128) BowyerWatson3 {  // shares no cache line with another
   void link_large_star();
   void link(Facet a, Facet b);
 
-  /// What Site::rim_place holds in its upper half during an insertion.
-  static std::uint64_t stamp(VertexId apex) {
-    return std::uint64_t{index(apex)} << 32U;
-  }
   const double* at(VertexId v) const { return sites_[index(v)].at.data(); }
   Site& site(VertexId v) {
     return v == kInfinite ? infinite_site_ : sites_[index(v)];
@@ -116,8 +112,9 @@ class alignas(128) BowyerWatson3 {  // shares no cache line with another
   // counter-clockwise order seen from the cavity, an infinite one the last.
   std::vector<Facet> cavity_;  // each cell through the facet of its entry
   std::vector<Facet> boundary_;
-  std::vector<Facet> open_;   // left to the exact predicate
-  std::size_t n_cavity_ = 0;  // so many are in use
+  std::vector<Facet> open_;                // left to exact predicates
+  std::vector<std::uint8_t> open_inside_;  // what they say
+  std::size_t n_cavity_ = 0;               // so many are in use
   std::size_t n_boundary_ = 0;
   std::vector<CellId> star_;
   std::vector<SpokeTriple> corners_;  // positions in rim_ and spokes_

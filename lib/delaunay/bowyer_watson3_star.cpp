@@ -21,18 +21,18 @@ constexpr std::array<std::uint8_t, 4> kInfiniteSlots = {0, 2, 3, 1};
 /// times, and no branch has to guess whether it is the first time.
 struct RimNumbers {
   VertexId* rim;
-  std::uint64_t stamp;  // of this insertion, in the upper half
+  VertexId apex;  // of this insertion
   std::uint32_t count = 0;
 
-  std::uint32_t of(VertexId v, std::uint64_t& place) {
-    const std::uint64_t fresh = stamp | count;
-    const std::uint64_t is_new = (place ^ fresh) >> 32U != 0 ? 1 : 0;
-    const std::uint64_t known = place;
-    const std::uint64_t now = known ^ ((known ^ fresh) & (0 - is_new));
-    place = now;
+  std::uint32_t of(VertexId v, Mesh3::Site& site) {
+    const std::uint32_t is_new = site.apex != apex ? 1 : 0;
+    const std::uint32_t known = site.rim_number;
+    const std::uint32_t number = known ^ ((known ^ count) & (0 - is_new));
+    site.rim_number = number;
+    site.apex = apex;
     rim[count] = v;
-    count += static_cast<std::uint32_t>(is_new);
-    return static_cast<std::uint32_t>(now);
+    count += is_new;
+    return number;
   }
 };
 
@@ -77,7 +77,8 @@ void BowyerWatson3::allocate_star() {
 }
 
 void BowyerWatson3::make_star_cells(VertexId apex) {
-  RimNumbers numbers{rim_.data(), stamp(apex)};
+  RimNumbers numbers{rim_.data(), apex};
+  Site* const sites = sites_;
   for (std::size_t k = 0; k < n_boundary_; ++k) {
     const Facet outside = boundary_[k];
     Cell& outer = cells_[index(outside.cell())];
@@ -87,19 +88,22 @@ void BowyerWatson3::make_star_cells(VertexId apex) {
     VertexId b = outer.vertex[corner[1]];
     VertexId c = outer.vertex[corner[2]];
     Cell& cell = cells_[index(star_[k])];
-    if (a == kInfinite || b == kInfinite || c == kInfinite) [[unlikely]] {
+    Site* last = &infinite_site_;
+    if (outer.is_infinite() && outside.index() != 3) [[unlikely]] {
       while (c != kInfinite) c = std::exchange(a, std::exchange(b, c));
       cell.vertex = {a, apex, b, kInfinite};
       cell.neighbor[kInfiniteSlots[3]] = outside;
       outer.neighbor[outside.index()] = Facet(star_[k], kInfiniteSlots[3]);
     } else {
+      last = &sites[index(c)];
       cell.vertex = {a, b, c, apex};
       cell.neighbor[kFiniteSlots[3]] = outside;
       outer.neighbor[outside.index()] = Facet(star_[k], kFiniteSlots[3]);
     }
-    corners_[k][0] = numbers.of(a, site(a).rim_place);
-    corners_[k][1] = numbers.of(b, site(b).rim_place);
-    corners_[k][2] = numbers.of(c, site(c).rim_place);
+    SpokeTriple& triple = corners_[k];
+    triple[0] = numbers.of(a, sites[index(a)]);
+    triple[1] = numbers.of(b, sites[index(b)]);
+    triple[2] = numbers.of(c, *last);
   }
   n_rim_ = numbers.count;
 }
@@ -114,7 +118,7 @@ void BowyerWatson3::fill_cavity(VertexId apex) {
   set_star_spheres(p, {spokes_, corners_, {star_.data(), n}}, cells_);
   if (n_rim_ > kLinkTableSide)
     link_large_star();
-  else if ((infinite_site_.rim_place ^ stamp(apex)) >> 32U == 0)
+  else if (infinite_site_.apex == apex)
     link_star([this](std::size_t k) { return slots(k); });
   else
     link_star([](std::size_t) { return kFiniteSlots; });

@@ -57,19 +57,17 @@ struct CavitySearch {
     open[n_open] = f;
     n_open += (inside | outside | in_cavity) ^ 1U;
   }
-  /// Whether it still is open, and was not seen meanwhile through another
-  /// facet.
-  bool is_open(Facet f) {
+  /// Adds an open facet, unless its cell was seen meanwhile through another.
+  /// @param inside  1 if its cell is in the cavity
+  void add_unless_seen(Facet f, std::uint32_t inside) {
     const Cell& cell = cells[index(f.cell())];
     const std::uint32_t in_cavity = is_marked(cell.inside2);
     const std::uint32_t next_to_it = is_marked(cell.outside2);
-    add(f, 0, next_to_it);
-    return (in_cavity | next_to_it) == 0;
+    const std::uint32_t newly_inside = inside & ~(in_cavity | next_to_it);
+    add(f, newly_inside, (newly_inside | in_cavity) ^ 1U);
   }
-  void add(Facet f, bool inside) {
-    const std::uint32_t yes = inside;
-    add(f, yes, 1U - yes);
-  }
+  /// The cell where the search begins.
+  void add_seed(CellId seed) { add(Facet(seed, 0), 1, 0); }
 
   /// Length of the lists that suffices for four more calls, and for adding what
   /// is open then.

@@ -9,32 +9,44 @@
 namespace delaunay {
 namespace {
 
-/// The lattice of the largest power of two that divides all coordinates; none
-/// if they are not multiples of 2^-40 below 2^22.
-predicates::Lattice find_lattice(std::span<const Point3> points) {
+/// The largest power of two that divides all coordinates; 0 if they are not
+/// multiples of 2^-40 below 2^22.
+double lattice_unit(std::span<const Point3> points) {
   constexpr double kFinest = 0x1p-40;
   std::uint64_t bits = 0;
   for (const Point3& p : points)
     for (const double x : p) {
       const double multiple = std::abs(x) / kFinest;
-      if (!(multiple < 0x1p62)) return predicates::Lattice();
+      if (!(multiple < 0x1p62)) return 0;
       const auto n = static_cast<std::uint64_t>(multiple);
-      if (static_cast<double>(n) != multiple) return predicates::Lattice();
+      if (static_cast<double>(n) != multiple) return 0;
       bits |= n;
     }
-  return predicates::Lattice(std::ldexp(kFinest, std::countr_zero(bits)));
+  return std::ldexp(kFinest, std::countr_zero(bits));
 }
 
 }  // namespace
 
 Mesh3::Mesh3(std::span<const Point3> points, unsigned n_inserters)
-    : sites(points.size()), lattice(find_lattice(points)) {
+    : sites(points.size()) {
   for (std::size_t i = 0; i < points.size(); ++i)
     sites[i] = {.at = {points[i][0], points[i][1], points[i][2]}};
+  lay_on_lattice(lattice_unit(points));
   // Uniform points make 6.8 cells each, scanned surfaces 6 to 9. Memory that
   // is never touched costs nothing, and moving all cells doubles the peak.
   make_room(std::min(points.size() * 10 + n_inserters * FreshCells::kBlock,
                      max_cells));
+}
+
+/// @param unit  of the lattice; 0 if there is none
+void Mesh3::lay_on_lattice(double unit) {
+  if (unit == 0) return;
+  lattice = predicates::Lattice(unit);
+  const double reach = predicates::LatticeTies::kReach * unit;
+  tie_reach2 = static_cast<float>(reach * reach);
+  lattice_points.resize(sites.size());
+  for (std::size_t i = 0; i < sites.size(); ++i)
+    lattice_points[i] = predicates::lattice_point(sites[i].at.data(), unit);
 }
 
 void Mesh3::make_room(std::size_t n) {

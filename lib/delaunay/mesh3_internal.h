@@ -12,16 +12,17 @@
 #include "delaunay/lazy_vector.h"
 #include "delaunay/triangulation3.h"
 #include "predicates/lattice.h"
+#include "predicates/lattice_ties.h"
 
 namespace delaunay {
 
 struct Mesh3 {
-  /// A vertex, and its place on the rim of a cavity in the lower half of
-  /// `rim_place`; in the upper half, which vertex was inserted there. Half a
-  /// cache line.
+  /// A vertex, and its number on the rim of the cavity in which `apex` was
+  /// inserted. Half a cache line.
   struct alignas(32) Site {
     std::array<double, 3> at;
-    std::uint64_t rim_place = ~std::uint64_t{0};
+    std::uint32_t rim_number = 0;
+    VertexId apex = kInfinite;
   };
 
   /// @param points  distinct; quickest if their coordinates fill [-1, 1], for
@@ -43,11 +44,14 @@ struct Mesh3 {
 
   LazyVector<Site> sites;       // by vertex
   predicates::Lattice lattice;  // on which all sites lie, if there is one
-  LazyVector<Cell> cells;       // used and unused ones
+  LazyVector<predicates::LatticePoint> lattice_points;  // by vertex, or none
+  float tie_reach2 = 0;    // squared radius up to which LatticeTies may decide
+  LazyVector<Cell> cells;  // used and unused ones
   std::size_t max_cells = std::size_t{1} << 30U;  // a Facet holds 30 bits
   Counters counters;  // of all inserters, at the end
 
  private:
+  void lay_on_lattice(double unit);
   void link(Facet a, Facet b);
   void relocate(CellId from, CellId to);
   template <class Keep>

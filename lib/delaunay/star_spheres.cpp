@@ -41,9 +41,10 @@ Lanes dot(const Vectors& a, const Vectors& b) {
 
 Lanes max(const Lanes& a, const Lanes& b) { return a > b ? a : b; }
 
-Spheres spheres(const double* p, const std::array<Corner, 3>& corner) {
+/// @param least_r2  smaller spheres are not certain
+Spheres spheres(const double* p, double least_r2,
+                const std::array<Corner, 3>& corner) {
   constexpr double kMaxFlatness2 = 0x1p41;
-  constexpr double kMaxOffset2 = 0x1p54;
   constexpr double kMargin = 0x1p-22;
   constexpr Lanes kZero = {};
   constexpr Lanes kNever = kZero + std::numeric_limits<double>::infinity();
@@ -62,8 +63,7 @@ Spheres spheres(const double* p, const std::array<Corner, 3>& corner) {
   const Vectors c = {p[0] + o.x, p[1] + o.y, p[2] + o.z};
   const Lanes l2 = max(max(u.norm2, v.norm2), w.norm2);
   const auto good = (l2 * l2 * l2 < kMaxFlatness2 * (det * det)) &
-                    (dot(c, c) < kMaxOffset2 * r2) & (0x1p-120 < r2) &
-                    (r2 < 0x1p120);
+                    (least_r2 < r2) & (r2 < 0x1p120);
   return {{good ? c.x : kZero, good ? c.y : kZero, good ? c.z : kZero},
           good ? r2 * (1 - kMargin) : kZero,
           good ? r2 * (1 + kMargin) : kNever};
@@ -85,6 +85,10 @@ void write(Cell& cell, const Spheres& s, std::size_t lane) {
 }  // namespace
 
 void set_star_spheres(const double* apex, const Star& star, Cell* all) {
+  constexpr double kMinRadius2 = 0x1p-52;  // in squared distances of the apex
+  const double* p = apex;
+  const double least_r2 = std::max(
+      0x1p-120, kMinRadius2 * (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]));
   const std::size_t n = star.cells.size();
   for (std::size_t k = 0; k < n; k += 2) {
     const std::size_t l = std::min(k + 1, n - 1);
@@ -92,7 +96,7 @@ void set_star_spheres(const double* apex, const Star& star, Cell* all) {
     for (std::size_t i = 0; i < 3; ++i)
       corner[i] = side_by_side(star.spokes[star.corners[k][i]],
                                star.spokes[star.corners[l][i]]);
-    const Spheres s = spheres(apex, corner);
+    const Spheres s = spheres(apex, least_r2, corner);
     write(all[index(star.cells[k])], s, 0);
     write(all[index(star.cells[l])], s, 1);
   }
