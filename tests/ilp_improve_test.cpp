@@ -81,6 +81,22 @@ TEST(MinimizeWorstFirst, FindsTheLeastModelByEachWayAlone) {
   }
 }
 
+// Hundreds of levels deep, where a conflict may owe to the first of them only.
+TEST(MinimizeWorstFirst, FindsTheLeastModelOfADeepSearch) {
+  const Problem problem = support::torus_hole(8, 12, 4);
+  std::mt19937_64 rng(9);
+  const auto order = support::random_order(rng, problem.n_variables());
+  std::vector<Improvement> found;
+  for (const std::uint64_t in_order : kInOrder) {
+    Solver solver(problem);
+    found.push_back(minimize_worst_first(solver, order, {}, in_order));
+    ASSERT_EQ(found.back().status, Status::Optimal);
+    EXPECT_EQ(first_violation(problem, found.back().model), "");
+    EXPECT_EQ(found.back().model, found.front().model);
+    EXPECT_GT(solver.statistics().conflicts, 100U);
+  }
+}
+
 TEST(MinimizeWorstFirst, FindsTheLeastModelAfterEachCut) {
   std::mt19937_64 rng(5);
   for (int trial = 0; trial < 200; ++trial) {

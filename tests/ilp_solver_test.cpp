@@ -157,6 +157,37 @@ TEST(Solver, EnumeratesAllModelsByClauses) {
       16);
 }
 
+// Short clauses, units among them, whatever the last model left decided.
+TEST(Solver, TakesClausesBetweenCalls) {
+  std::mt19937_64 rng(20261127);
+  for (int trial = 0; trial < 300; ++trial) {
+    SCOPED_TRACE(testing::Message() << "trial " << trial);
+    Problem problem = support::random_program(rng, 12);
+    const auto order = support::random_order(rng, problem.n_variables());
+    Solver solver(problem);
+    support::CheckedLog checked(problem);
+    solver.set_log(checked.log());
+    solver.set_priority(order);
+    solver.set_branching(trial % 2 == 0 ? ilp::Branching::Static
+                                        : ilp::Branching::Adaptive);
+    while (const auto least = support::least_model(problem, order)) {
+      ASSERT_EQ(solver.solve(), Status::Feasible);
+      ASSERT_EQ(first_violation(problem, solver.model()), "");
+      if (trial % 2 == 0) {
+        EXPECT_EQ(solver.model(), *least);
+      }
+      auto vars = support::random_order(rng, problem.n_variables());
+      vars.resize(std::min<std::size_t>(vars.size(), 1 + rng() % 3));
+      std::vector<Literal> clause;
+      for (const VarId v : vars) clause.emplace_back(v, rng() % 2 == 0);
+      problem.add_clause(clause);
+      solver.add_clause(clause);
+    }
+    EXPECT_EQ(solver.solve(), Status::Infeasible);
+    EXPECT_EQ(checked.first_flaw(), "");
+  }
+}
+
 TEST(Solver, TakesLinearConstraintsBetweenCalls) {
   std::mt19937_64 rng(29);
   for (int trial = 0; trial < 500; ++trial) {

@@ -39,6 +39,10 @@ std::vector<Facet> all_facets(const Triangulation3& t) {
   return result;
 }
 
+CellId beyond(const Triangulation3& t, Facet f) {
+  return t.cell(f.cell()).neighbor[f.index()].cell();
+}
+
 std::vector<VertexId> all_vertices(const Triangulation3& t) {
   std::vector<VertexId> all;
   for (std::uint32_t v = 0; v < t.points().size(); ++v)
@@ -186,11 +190,15 @@ TEST(LabelWorstFirst, IsTheLeastOfAllThatKeepTheSame) {
 /// Random costs of facets and cells; what labels cost.
 struct CutProblem {
   const Triangulation3& t;
+  std::vector<CellId> cells;
   std::vector<Facet> facets;
   std::vector<CellCut::Cost> cost, preference;
 
   CutProblem(const Triangulation3& triangulation, std::mt19937_64& rng)
       : t(triangulation), facets(all_facets(triangulation)) {
+    for (std::size_t c = 0; c < t.n_finite_cells(); ++c)
+      cells.push_back(cell_id(c));
+    std::shuffle(cells.begin(), cells.end(), rng);
     for (std::size_t i = 0; i < facets.size(); ++i)
       cost.push_back(static_cast<CellCut::Cost>(rng() % 20));
     for (std::size_t c = 0; c < t.n_finite_cells(); ++c) {
@@ -200,9 +208,13 @@ struct CutProblem {
   }
 
   CellCut solved() const {
-    CellCut cut(t);
-    for (std::size_t i = 0; i < facets.size(); ++i)
-      cut.set_cost(facets[i], cost[i]);
+    CellCut cut(t, cells);
+    for (std::size_t i = 0; i < facets.size(); ++i) {
+      if (t.cell(beyond(t, facets[i])).is_infinite())
+        cut.add_preference(facets[i].cell(), -cost[i]);
+      else
+        cut.set_cost(facets[i], cost[i]);
+    }
     for (std::size_t c = 0; c < preference.size(); ++c)
       cut.add_preference(cell_id(c), preference[c]);
     EXPECT_TRUE(cut.run(std::numeric_limits<std::uint64_t>::max()));
@@ -215,9 +227,10 @@ struct CutProblem {
     for (std::size_t c = 0; c < preference.size(); ++c)
       if (!is_inside(cell_id(c))) sum += preference[c];
     for (std::size_t i = 0; i < facets.size(); ++i) {
-      const Facet f = facets[i];
-      const CellId beyond = t.cell(f.cell()).neighbor[f.index()].cell();
-      if (is_inside(f.cell()) != is_inside(beyond)) sum += cost[i];
+      const CellId other = beyond(t, facets[i]);
+      const bool is_other_inside =
+          !t.cell(other).is_infinite() && is_inside(other);
+      if (is_inside(facets[i].cell()) != is_other_inside) sum += cost[i];
     }
     return sum;
   }
@@ -231,7 +244,7 @@ TEST(CellCut, IsTheCheapestOfAll) {
         problem.total([&](CellId c) { return cut.is_inside(c); });
     for (std::uint32_t bits = 0; bits < 1U << t.n_finite_cells(); ++bits)
       EXPECT_LE(found, problem.total([&](CellId c) {
-        return index(c) < t.n_finite_cells() && (bits >> index(c) & 1U) != 0;
+        return (bits >> index(c) & 1U) != 0;
       }));
   });
 }
@@ -306,10 +319,85 @@ TEST(CellCut, CostsNoMoreThanAPlainMaximumFlow) {
 
 TEST(CellCut, StopsWhenItsEffortIsSpent) {
   const Triangulation3 t = cloud(200, 1);
-  CellCut cut(t);
-  for (const Facet f : all_facets(t)) cut.set_cost(f, 5);
+  std::mt19937_64 rng(1);
+  CellCut cut(t, CutProblem(t, rng).cells);
   cut.add_preference(CellId{0}, 100);
+  cut.add_preference(CellId{1}, -100);
   EXPECT_FALSE(cut.run(0));
+}
+
+/// What labels of the open cells cost: a triangle on the surface its weight,
+/// unless it is kept, and a kept one of the first surface its weight for each
+/// open cell at it that has another label than at first.
+double cost_of_labels(const LabelFrame& frame, const Labelling& first,
+                      const Labelling& labels) {
+  double sum = 0;
+  for (const Facet f : all_facets(frame.triangulation())) {
+    if (!frame.is_kept(f)) {
+      sum += labels.is_on_surface(f) ? frame.weight(f) : 0;
+      continue;
+    }
+    if (!first.is_on_surface(f)) continue;
+    for (const CellId c : {f.cell(), beyond(frame.triangulation(), f)})
+      if (labels.is_inside(c) != first.is_inside(c)) sum += frame.weight(f);
+  }
+  return sum;
+}
+
+bool agree_where_closed(const LabelFrame& frame, const Labelling& a,
+                        const Labelling& b) {
+  for (std::size_t c = 0; c < frame.triangulation().n_finite_cells(); ++c)
+    if (!frame.is_open(cell_id(c)) &&
+        a.is_inside(cell_id(c)) != b.is_inside(cell_id(c)))
+      return false;
+  return true;
+}
+
+/// The kept triangles of the cheapest labels, by enumeration.
+std::vector<LocatedTriangle> held_by_cheapest(
+    const LabelFrame& frame, const std::vector<LocatedTriangle>& kept,
+    const Labelling& first) {
+  const Triangulation3& t = frame.triangulation();
+  Labelling labels(t);
+  double least = std::numeric_limits<double>::infinity();
+  std::vector<LocatedTriangle> held;
+  for (std::uint32_t bits = 0; bits < 1U << t.n_finite_cells(); ++bits) {
+    assign(labels, bits);
+    if (!agree_where_closed(frame, first, labels)) continue;
+    const double cost = cost_of_labels(frame, first, labels);
+    if (cost >= least) continue;
+    least = cost;
+    held = kept;
+    std::erase_if(held, [&](const LocatedTriangle& triangle) {
+      return !labels.is_on_surface(triangle.facet);
+    });
+  }
+  return held;
+}
+
+TEST(HeldByCut, AreKeptTrianglesOfTheCheapestLabels) {
+  std::size_t n_held = 0, n_given_up = 0;
+  for_each_small_cloud(150, [&](const Triangulation3& t, std::mt19937_64& rng) {
+    auto open = all_vertices(t);
+    std::shuffle(open.begin(), open.end(), rng);
+    open.resize(4 + rng() % (open.size() - 3));
+    std::vector<LocatedTriangle> kept;
+    for (const Facet f : all_facets(t))
+      if (rng() % 3 == 0) kept.push_back({sorted_corners(t, f), f});
+    const LabelFrame frame(t, CloseWeight::Circumradius, kept, open);
+    Labelling first(t);
+    label_worst_first(frame, kept, first);
+
+    const auto held = held_by_cut(frame, kept, first);
+    const auto expected = held_by_cheapest(frame, kept, first);
+    ASSERT_EQ(held.size(), expected.size());
+    for (std::size_t i = 0; i < held.size(); ++i)
+      EXPECT_EQ(held[i].corners, expected[i].corners);
+    n_held += held.size();
+    n_given_up += kept.size() - held.size();
+  });
+  EXPECT_GT(n_held, 100U);
+  EXPECT_GT(n_given_up, 100U);
 }
 
 TEST(LabelMending, MendsAnyLabels) {

@@ -50,7 +50,7 @@ const Lesson& Analyzer::analyze(const Propagator& propagator,
   find_first_uip(conflict);
   lesson_.touched = seen_;
   minimize();
-  find_level_and_glue();
+  find_glue();
 
   for (const VarId v : seen_) is_seen_[index(v)] = 0;
   seen_.clear();
@@ -165,19 +165,10 @@ bool Analyzer::expand(Literal l) {
   return true;
 }
 
-// Puts a literal of the second highest level second.
-void Analyzer::find_level_and_glue() {
-  std::vector<Literal>& literals = lesson_.literals;
+void Analyzer::find_glue() {
   levels_.clear();
-  for (const Literal l : literals)
+  for (const Literal l : lesson_.literals)
     levels_.push_back(assignment().level(l.var()));
-  lesson_.level = 0;
-  if (literals.size() > 1) {
-    const auto second = std::max_element(levels_.begin() + 1, levels_.end());
-    lesson_.level = *second;
-    std::swap(literals[1],
-              literals[static_cast<std::size_t>(second - levels_.begin())]);
-  }
   std::ranges::sort(levels_);
   levels_.erase(std::unique(levels_.begin(), levels_.end()), levels_.end());
   lesson_.glue = static_cast<std::uint32_t>(levels_.size());

@@ -14,11 +14,10 @@
 
 namespace ilp {
 
-/// A clause that follows from the constraints, false at present but for its
-/// first literal once the levels above `level` are taken back.
+/// A clause that follows from the constraints, and fails at present. Its first
+/// literal is the only one of the highest level.
 struct Lesson {
   std::vector<Literal> literals;
-  std::uint32_t level = 0;
   std::uint32_t glue = 0;      ///< number of levels among its literals
   std::vector<VarId> touched;  ///< variables met on the way
 };
@@ -45,7 +44,7 @@ class Analyzer {
   void minimize();
   bool is_implied_by_rest(Literal l);
   bool expand(Literal l);
-  void find_level_and_glue();
+  void find_glue();
 
   const Propagator* propagator_ = nullptr;
   Derivations* derivations_ = nullptr;

@@ -30,7 +30,7 @@ class DepthFirst {
         continue;
       }
       const VarId next =
-          order_.next([this](VarId v) { return values().is_open(v); });
+          order_.next([this](VarId v) { return values().is_open(v); }).var;
       if (index(next) < values().n_variables()) {
         decide(Literal(next, false));
       } else {

@@ -31,18 +31,23 @@ class DecisionOrder {
   /// To be called for every variable that opens again.
   void reopen(VarId var);
 
+  struct Choice {
+    VarId var;
+    bool is_in_order;  ///< no open variable has any activity
+  };
   /// The first open variable; the number of variables if none is.
   template <class IsOpen>
-  VarId next(IsOpen is_open) {
+  Choice next(IsOpen is_open) {
     while (!heap_.empty()) {
       const VarId var = pop();
-      if (is_open(var)) return var;
+      if (is_open(var)) return {var, false};
     }
     while (n_passed_ < order_.size() && !is_open(order_[n_passed_]))
       ++n_passed_;
-    return n_passed_ < order_.size()
-               ? order_[n_passed_]
-               : VarId{static_cast<std::uint32_t>(order_.size())};
+    return {n_passed_ < order_.size()
+                ? order_[n_passed_]
+                : VarId{static_cast<std::uint32_t>(order_.size())},
+            true};
   }
 
  private:

@@ -25,6 +25,8 @@ class Propagator {
   void open_level() { assignment_.open_level(); }
   /// Makes an open literal hold by decision.
   void decide(Literal l) { assignment_.assign(l, {}); }
+  /// Makes an open literal hold by a clause that forces it.
+  void imply(Literal l, const Reason& clause) { assignment_.assign(l, clause); }
   /// Takes back all levels above `level`.
   void backtrack(std::uint32_t level);
 

@@ -3,8 +3,8 @@
 // of the last conflicts, and sets it false; each conflict teaches a clause;
 // short runs between restarts return to the order of priority, so that the
 // search keeps to the caller's notion of worst. Assumptions are the decisions
-// of the first levels, and levels are kept from call to call where the
-// assumptions agree.
+// of the first levels. Levels are kept from call to call, and when a search
+// starts anew, where the same would be decided again.
 
 #include "ilp/solver.h"
 
@@ -20,6 +20,7 @@
 #include "ilp/analysis.h"
 #include "ilp/antecedents.h"
 #include "ilp/decision_order.h"
+#include "ilp/late_literals.h"
 #include "ilp/proof.h"
 #include "ilp/propagate.h"
 
@@ -33,6 +34,10 @@ constexpr std::uint64_t kRestartUnit = 32;
 constexpr std::uint64_t kFirstReduction = 2000;
 constexpr std::uint64_t kReductionStep = 500;
 constexpr std::uint64_t kStepsPerClockLook = 256;
+// In levels; as in [Nadel18, Sec. 5]. On the programs of docs/corpus.md 0, 100
+// and 500 differ by less than other noise.
+constexpr std::uint32_t kFarJump = 100;
+constexpr std::uint32_t kNever = std::numeric_limits<std::uint32_t>::max();
 
 // The i-th term, i >= 1, of 1 1 2 1 1 2 4 1 1 2 1 1 2 4 8 ... [Luby93].
 std::uint64_t luby(std::uint64_t i) {
@@ -69,11 +74,10 @@ class Solver::Search {
 
   ConstraintId add_clause(std::span<const Literal> literals) {
     check_known(literals);
-    backtrack(0);
     if (log_ != nullptr) log_->join(literals);
     const ConstraintId id{ConstraintKind::Clause, n_clauses_++};
     std::vector<Literal> clause(literals.begin(), literals.end());
-    if (normalize(clause)) propagator_.add_clause(clause, Antecedent(id), 0);
+    if (normalize(clause)) join(clause, Antecedent(id), 0);
     return id;
   }
 
@@ -153,6 +157,12 @@ class Solver::Search {
 
   enum class Step { Decided, Complete, Refuted };
 
+  struct Level {
+    Literal decision;
+    bool is_in_order;       // it came first of all that were open
+    std::size_t n_assumed;  // first assumptions that held before it
+  };
+
   void check_known(std::span<const Literal> literals) const {
     for (const Literal l : literals)
       if (index(l.var()) >= model_.size())
@@ -181,14 +191,50 @@ class Solver::Search {
                                   " twice in one constraint");
   }
 
-  // Keeps the levels that the new assumptions share with the old decisions.
+  // The level at which a literal fails; if it does not, above all others.
+  std::uint32_t failed_at(Literal l) const {
+    return values().holds(!l) ? values().level(l.var()) : kNever;
+  }
+
+  // Puts two literals first that fail later than all others, or not at all.
+  void find_watches(std::span<Literal> clause) const {
+    for (std::size_t i = 0; i < std::min<std::size_t>(clause.size(), 2); ++i)
+      std::swap(clause[i], *std::ranges::max_element(
+                               clause.subspan(i), {},
+                               [this](Literal l) { return failed_at(l); }));
+  }
+
+  // Takes back levels until the clause does not fail, or fails for good. If a
+  // literal follows from it, that holds from now on. Where it is known far
+  // below, not all levels between are taken back for it [Nadel18]: it comes
+  // late, and backtrack() saves it.
+  void join(std::span<Literal> clause, Antecedent origin, std::uint32_t glue) {
+    find_watches(clause);
+    const auto last = [&] { return clause.empty() ? 0 : failed_at(clause[0]); };
+    const auto known_at = [&] {
+      return clause.size() < 2 ? 0 : failed_at(clause[1]);
+    };
+    const auto return_to = [&](std::uint32_t level) {
+      backtrack(level);
+      find_watches(clause);
+    };
+    if (last() != kNever && last() > known_at() + kFarJump)
+      return_to(last() - 1);
+    while (last() != kNever && last() > 0)
+      return_to(std::min(last() - 1, known_at()));
+    const bool fails = last() == 0;
+    if (fails || (values().holds(clause[0]) &&
+                  known_at() < values().level(clause[0].var())))
+      return_to(known_at());
+    const bool is_late = !fails && values().is_open(clause[0].var()) &&
+                         known_at() < values().n_levels();
+    if (is_late) late_.note(clause[0], known_at());
+    propagator_.add_clause(clause, origin, glue);
+  }
+
   void start(std::span<const Literal> assumptions, const Limits& limits) {
-    std::uint32_t n_shared = 0;
-    while (n_shared < values().n_levels() && n_shared < assumptions.size() &&
-           decisions_[n_shared] == assumptions[n_shared])
-      ++n_shared;
-    backtrack(n_shared);
     assumptions_.assign(assumptions.begin(), assumptions.end());
+    return_to_order();
 
     constexpr std::uint64_t kMax = std::numeric_limits<std::uint64_t>::max();
     const auto add = [](std::uint64_t used, std::uint64_t more) {
@@ -202,7 +248,37 @@ class Solver::Search {
     n_until_clock_ = 0;
     n_restarts_ = 1;
     n_until_restart_ = kRestartUnit;
+  }
+
+  // Forgets all activity, and takes back what would not be decided again then:
+  // the levels up to the first that is another one [vanderTak11].
+  void return_to_order() {
     order_.forget_activity();
+    std::size_t n_assumed = 0;
+    std::uint32_t level = 0;
+    for (; level < values().n_levels(); ++level) {
+      n_assumed = skip_assumed(n_assumed, level);
+      if (!is_due(levels_[level], n_assumed)) break;
+      levels_[level].n_assumed = n_assumed;
+    }
+    backtrack(level);
+    n_assumed_ = n_assumed;
+  }
+
+  // The first assumption from the n-th on that does not hold at the level.
+  std::size_t skip_assumed(std::size_t n, std::uint32_t level) const {
+    while (n < assumptions_.size() && values().holds(assumptions_[n]) &&
+           values().level(assumptions_[n].var()) <= level)
+      ++n;
+    return n;
+  }
+
+  // Whether the decision would be taken again after the first assumptions.
+  bool is_due(const Level& level, std::size_t n_assumed) const {
+    if (n_assumed < assumptions_.size())
+      return level.decision == assumptions_[n_assumed];
+    return level.is_in_order &&
+           level.decision == preference(level.decision.var());
   }
 
   void backtrack(std::uint32_t level) {
@@ -210,13 +286,19 @@ class Solver::Search {
     const std::size_t n_kept = values().begin_of_level(level + 1);
     for (const Literal l : values().trail().subspan(n_kept))
       order_.reopen(l.var());
+    const auto known = late_.take(values(), n_kept, level);
     propagator_.backtrack(level);
-    decisions_.resize(level);
+    n_assumed_ = levels_[level].n_assumed;
+    levels_.resize(level);
+    for (const auto& [literal, reason, known_at] : known) {
+      propagator_.imply(literal, reason);
+      if (known_at < level) late_.note(literal, known_at);
+    }
   }
 
-  void open_level(Literal decision) {
+  void open_level(Literal decision, bool is_in_order) {
     propagator_.open_level();
-    decisions_.push_back(decision);
+    levels_.push_back({decision, is_in_order, n_assumed_});
   }
 
   void learn() {
@@ -228,9 +310,8 @@ class Solver::Search {
       for (const VarId v : lesson.touched) order_.bump(v);
       order_.decay();
     }
-    backtrack(lesson.level);
     std::vector<Literal> clause = lesson.literals;
-    propagator_.add_clause(clause, origin, lesson.glue);
+    join(clause, origin, lesson.glue);
     ++statistics_.conflicts;
     if (n_until_restart_ > 0) --n_until_restart_;
     if (--n_until_reduction_ == 0) reduce();
@@ -247,34 +328,36 @@ class Solver::Search {
   void restart() {
     ++statistics_.restarts;
     n_until_restart_ = kRestartUnit * luby(++n_restarts_);
-    order_.forget_activity();
-    backtrack(static_cast<std::uint32_t>(assumptions_.size()));
+    return_to_order();
   }
 
   Step decide() {
-    while (values().n_levels() < assumptions_.size()) {
-      const Literal a = assumptions_[values().n_levels()];
+    n_assumed_ = skip_assumed(n_assumed_, values().n_levels());
+    if (n_assumed_ < assumptions_.size()) {
+      const Literal a = assumptions_[n_assumed_];
       if (values().holds(!a)) {
         failed_assumption_ = a;
         refutation_ = {{}, {!a}};
         if (log_ != nullptr) log_refuted_assumptions();
         return Step::Refuted;
       }
-      open_level(a);
-      if (!values().holds(a)) {
-        propagator_.decide(a);
-        return Step::Decided;
-      }
+      open_level(a, false);
+      propagator_.decide(a);
+      return Step::Decided;
     }
-    const VarId next =
+    const auto [next, is_in_order] =
         order_.next([this](VarId v) { return values().is_open(v); });
     if (index(next) == model_.size()) return Step::Complete;
-    const Literal decision(
-        next, branching_ == Branching::Adaptive && preferred_[index(next)]);
-    open_level(decision);
+    const Literal decision = preference(next);
+    open_level(decision, is_in_order);
     propagator_.decide(decision);
     ++statistics_.decisions;
     return Step::Decided;
+  }
+
+  Literal preference(VarId v) const {
+    return Literal(v,
+                   branching_ == Branching::Adaptive && preferred_[index(v)]);
   }
 
   bool is_out_of_time() {
@@ -336,8 +419,10 @@ class Solver::Search {
   std::uint32_t n_linear_;
 
   Branching branching_ = Branching::Adaptive;
-  std::vector<Literal> decisions_;  // of each level; an assumption may hold
+  std::vector<Level> levels_;
+  LateLiterals late_;
   std::vector<Literal> assumptions_;
+  std::size_t n_assumed_ = 0;  // the first ones hold
   Model model_;
   Model preferred_;
   std::optional<ConstraintId> objective_;  // of require_better()

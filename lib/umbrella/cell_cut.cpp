@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <limits>
 
 #include "umbrella/cell_cut_internal.h"
 
@@ -7,29 +8,32 @@ namespace umbrella {
 using delaunay::CellId;
 using delaunay::Facet;
 
-CellCut::CellCut(const delaunay::Triangulation3& triangulation)
-    : triangulation_(triangulation),
-      nodes_(triangulation.cells().size()),
-      excess_(triangulation.cells().size()),
-      residual_(4 * triangulation.cells().size()) {
-  for (std::size_t c = triangulation.n_finite_cells(); c < nodes_.size(); ++c)
-    excess_[c] = -kInfinite;
+namespace {
+
+constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+}  // namespace
+
+CellCut::CellCut(const delaunay::Triangulation3& triangulation,
+                 std::span<const CellId> cells)
+    : place_(triangulation.cells().size(), kNone),
+      nodes_(cells.size()),
+      excess_(cells.size()),
+      across_(4 * cells.size()),
+      residual_(4 * cells.size()) {
+  for (Index c = 0; c < cells.size(); ++c) place_[index(cells[c])] = c;
+  for (Index c = 0; c < cells.size(); ++c)
+    for (unsigned i = 0; i < 4; ++i) {
+      const Facet back = triangulation.cell(cells[c]).neighbor[i];
+      const Index other = place_[index(back.cell())];
+      across_[arc(c, i)] =
+          other == kNone ? arc(c, i) : arc(other, back.index());
+    }
 }
 
 void CellCut::set_cost(Facet facet, Cost cost) {
-  const Facet other = triangulation_.cell(facet.cell()).neighbor[facet.index()];
-  for (const Facet f : {facet, other})
-    residual_[4 * index(f.cell()) + f.index()] = cost;
-}
-
-CellCut::Index CellCut::beyond(Index c, unsigned i) const {
-  return static_cast<Index>(triangulation_.cell(CellId{c}).neighbor[i].cell());
-}
-
-CellCut::Cost& CellCut::residual(Index c, unsigned i, bool outward) {
-  if (outward) return residual_[4 * std::size_t{c} + i];
-  const Facet f = triangulation_.cell(CellId{c}).neighbor[i];
-  return residual_[4 * index(f.cell()) + f.index()];
+  const Arc a = arc(place_[index(facet.cell())], facet.index());
+  residual_[a] = residual_[across_[a]] = cost;
 }
 
 void CellCut::activate(Index c) {
@@ -49,7 +53,7 @@ bool CellCut::run(std::uint64_t effort) {
   while (!active_.empty() && effort_ <= effort) {
     const Index c = active_.front();
     const auto bridge =
-        nodes_[c].tree != Tree::None ? grow(c) : std::optional<Facet>();
+        nodes_[c].tree != Tree::None ? grow(c) : std::optional<Arc>();
     if (!bridge) {
       active_.pop_front();
       nodes_[c].is_active = false;
@@ -68,22 +72,21 @@ bool CellCut::run(std::uint64_t effort) {
 
 /// Takes free neighbours into the tree of c.
 /// @return a facet from the source's tree to the sink's, if one is met
-std::optional<Facet> CellCut::grow(Index c) {
+std::optional<CellCut::Arc> CellCut::grow(Index c) {
   const Tree tree = nodes_[c].tree;
   const bool is_source = tree == Tree::Source;
   effort_ += 4;
-  for (unsigned i = 0; i < 4; ++i) {
-    if (residual(c, i, is_source) == 0) continue;
-    const Facet back = triangulation_.cell(CellId{c}).neighbor[i];
-    Node& other = nodes_[index(back.cell())];
+  for (Arc a = arc(c, 0); a < arc(c, 4); ++a) {
+    if (residual(a, is_source) == 0) continue;
+    Node& other = nodes_[beyond(a)];
     if (other.tree == Tree::None) {
       other.tree = tree;
-      other.parent = static_cast<std::uint8_t>(back.index());
+      other.parent = static_cast<std::uint8_t>(across_[a] % 4);
       other.time = nodes_[c].time;
       other.depth = nodes_[c].depth + 1;
-      activate(static_cast<Index>(back.cell()));
+      activate(beyond(a));
     } else if (other.tree != tree) {
-      return is_source ? Facet(CellId{c}, i) : back;
+      return is_source ? a : across_[a];
     }
   }
   return std::nullopt;
@@ -93,8 +96,11 @@ std::optional<Facet> CellCut::grow(Index c) {
 CellCut::Cost CellCut::bottleneck(Index c) {
   const bool from_root = nodes_[c].tree == Tree::Source;
   Cost least = kInfinite;
-  for (; nodes_[c].parent != kRoot; c = beyond(c, nodes_[c].parent))
-    least = std::min(least, residual(c, nodes_[c].parent, !from_root));
+  while (nodes_[c].parent != kRoot) {
+    const Arc a = arc(c, nodes_[c].parent);
+    least = std::min(least, residual(a, !from_root));
+    c = beyond(a);
+  }
   return std::min(least, from_root ? excess_[c] : -excess_[c]);
 }
 
@@ -105,25 +111,23 @@ void CellCut::push(Index c, Cost flow) {
     orphans_.push_front(at);
   };
   while (nodes_[c].parent != kRoot) {
-    const unsigned i = nodes_[c].parent;
-    const Index parent = beyond(c, i);
-    residual(c, i, from_root) += flow;
-    Cost& left = residual(c, i, !from_root);
+    const Arc a = arc(c, nodes_[c].parent);
+    residual(a, from_root) += flow;
+    Cost& left = residual(a, !from_root);
     left -= flow;
     if (left == 0) orphan(c);
-    c = parent;
+    c = beyond(a);
   }
   excess_[c] += from_root ? -flow : flow;
   if (excess_[c] == 0) orphan(c);
 }
 
-void CellCut::augment(Facet bridge) {
-  const auto source = static_cast<Index>(bridge.cell());
-  const Index sink = beyond(source, bridge.index());
-  const Cost flow = std::min({bottleneck(source), bottleneck(sink),
-                              residual(source, bridge.index(), true)});
-  residual(source, bridge.index(), true) -= flow;
-  residual(source, bridge.index(), false) += flow;
+void CellCut::augment(Arc bridge) {
+  const Index source = bridge / 4, sink = beyond(bridge);
+  const Cost flow =
+      std::min({bottleneck(source), bottleneck(sink), residual(bridge, true)});
+  residual(bridge, true) -= flow;
+  residual(bridge, false) += flow;
   push(source, flow);
   push(sink, flow);
 }
@@ -135,10 +139,10 @@ bool CellCut::find_parent(Index c) {
   std::uint8_t parent = kOrphan;  // stays so: ways up through c do not count
   effort_ += 4;
   for (unsigned i = 0; i < 4; ++i) {
-    if (residual(c, i, !is_source) == 0) continue;
-    const Index other = beyond(c, i);
-    if (nodes_[other].tree != nodes_[c].tree) continue;
-    const auto depth = depth_of(other);
+    const Arc a = arc(c, i);
+    if (residual(a, !is_source) == 0) continue;
+    if (nodes_[beyond(a)].tree != nodes_[c].tree) continue;
+    const auto depth = depth_of(beyond(a));
     if (!depth || (least && *least <= *depth)) continue;
     least = depth;
     parent = static_cast<std::uint8_t>(i);
@@ -154,7 +158,7 @@ bool CellCut::find_parent(Index c) {
 std::optional<std::uint32_t> CellCut::depth_of(Index c) {
   std::uint32_t steps = 0;
   Index at = c;
-  for (;; ++steps, at = beyond(at, nodes_[at].parent)) {
+  for (;; ++steps, at = beyond(arc(at, nodes_[at].parent))) {
     ++effort_;
     if (nodes_[at].parent == kOrphan) return std::nullopt;
     if (nodes_[at].parent == kRoot) {
@@ -164,21 +168,21 @@ std::optional<std::uint32_t> CellCut::depth_of(Index c) {
     if (nodes_[at].time == time_) break;
   }
   const std::uint32_t depth = nodes_[at].depth + steps;
-  for (std::uint32_t d = depth; c != at; c = beyond(c, nodes_[c].parent), --d) {
+  for (std::uint32_t d = depth; c != at; --d) {
     nodes_[c].depth = d;
     nodes_[c].time = time_;
+    c = beyond(arc(c, nodes_[c].parent));
   }
   return depth;
 }
 
 void CellCut::set_free(Index c) {
   const bool is_source = nodes_[c].tree == Tree::Source;
-  for (unsigned i = 0; i < 4; ++i) {
-    const Facet back = triangulation_.cell(CellId{c}).neighbor[i];
-    const auto other = static_cast<Index>(back.cell());
+  for (Arc a = arc(c, 0); a < arc(c, 4); ++a) {
+    const Index other = beyond(a);
     if (nodes_[other].tree != nodes_[c].tree) continue;
-    if (residual(c, i, !is_source) > 0) activate(other);
-    if (nodes_[other].parent == back.index()) {
+    if (residual(a, !is_source) > 0) activate(other);
+    if (nodes_[other].parent == across_[a] % 4) {
       nodes_[other].parent = kOrphan;
       orphans_.push_back(other);
     }

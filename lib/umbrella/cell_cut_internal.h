@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <deque>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "delaunay/triangulation3.h"
@@ -14,24 +15,25 @@ namespace umbrella {
 
 /// Maximum flow by two search trees that are kept from one augmenting path to
 /// the next [Boykov04]. Cells are the nodes, facets the arcs, both ways.
-/// Costs are whole numbers: so it ends, with the same cut everywhere.
+/// Costs are whole numbers: so it ends, with the same cut everywhere. Of the
+/// cheapest labels, those with the fewest cells inside.
 class CellCut {
  public:
   using Cost = std::int64_t;
 
-  /// No facet costs anything, no cell prefers a label, but those beyond the
-  /// hull are outside.
-  /// @param triangulation  must outlive this object
-  explicit CellCut(const delaunay::Triangulation3& triangulation);
+  /// No facet costs anything, no cell prefers a label.
+  /// @param cells  those to be labelled, distinct; there are no others
+  CellCut(const delaunay::Triangulation3& triangulation,
+          std::span<const delaunay::CellId> cells);
 
   /// Beyond any cost that can be asked for: at most 2^40 by facet and cell.
   static constexpr Cost kInfinite = Cost{1} << 60U;
 
-  /// What it costs if the cells at the facet differ.
+  /// What it costs if the cells at the facet differ; both are to be labelled.
   void set_cost(delaunay::Facet facet, Cost cost);
   /// What it costs more if the cell is outside than if it is inside.
   void add_preference(delaunay::CellId c, Cost inside) {
-    excess_[index(c)] += inside;
+    excess_[place_[index(c)]] += inside;
   }
 
   /// @param effort  arcs that may be looked at
@@ -40,7 +42,7 @@ class CellCut {
 
   /// @pre run() returned true
   bool is_inside(delaunay::CellId c) const {
-    return nodes_[index(c)].tree == Tree::Source;
+    return nodes_[place_[index(c)]].tree == Tree::Source;
   }
 
  private:
@@ -54,26 +56,31 @@ class CellCut {
     std::uint32_t time = 0;   // when depth was last known to be right
     std::uint32_t depth = 0;  // of the node in its tree
   };
-  using Index = std::uint32_t;  // of a cell
+  using Index = std::uint32_t;  // of a node
+  using Arc = std::uint32_t;    // 4 c + i: from node c across its facet i
 
-  Index beyond(Index c, unsigned i) const;
-  /// What can still flow from the parent's side to the child's, or back: across
-  /// facet i of c, away from the source.
-  Cost& residual(Index c, unsigned i, bool outward);
+  Index beyond(Arc a) const { return across_[a] / 4; }
+  /// What can still flow along the arc, or back: away from the source.
+  Cost& residual(Arc a, bool outward) {
+    return residual_[outward ? a : across_[a]];
+  }
+  static Arc arc(Index c, unsigned i) { return 4 * c + i; }
 
   void activate(Index c);
-  std::optional<delaunay::Facet> grow(Index c);
-  void augment(delaunay::Facet bridge);
+  std::optional<Arc> grow(Index c);
+  void augment(Arc bridge);
   Cost bottleneck(Index c);
   void push(Index c, Cost flow);
   bool find_parent(Index c);
   std::optional<std::uint32_t> depth_of(Index c);
   void set_free(Index c);
 
-  const delaunay::Triangulation3& triangulation_;
+  std::vector<Index> place_;  // of a cell among the nodes
   std::vector<Node> nodes_;
   std::vector<Cost> excess_;    // from the source; to the sink if negative
-  std::vector<Cost> residual_;  // by 4 c + i, from c across facet i
+  std::vector<Arc> across_;     // the same arc backwards; itself if there is no
+                                // other node, and then nothing ever flows
+  std::vector<Cost> residual_;  // by arc
   std::deque<Index> active_;
   std::deque<Index> orphans_;
   std::uint32_t time_ = 0;

@@ -143,33 +143,80 @@ namespace {
 /// dense parts vanish nor those of slivers count without end.
 class Costs {
  public:
-  explicit Costs(const LabelFrame& frame) : frame_(frame) {
-    std::vector<double> all;
-    for_each_facet(frame.triangulation(),
-                   [&](Facet f) { all.push_back(frame.weight(f)); });
+  /// @param weights  all that will be asked for
+  explicit Costs(std::vector<double> weights) {
     const auto middle =
-        all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
-    std::nth_element(all.begin(), middle, all.end());
-    median_ = *middle;
+        weights.begin() + static_cast<std::ptrdiff_t>(weights.size() / 2);
+    std::nth_element(weights.begin(), middle, weights.end());
+    if (middle != weights.end()) median_ = *middle;
   }
-  CellCut::Cost operator()(Facet f) const {
+  CellCut::Cost operator()(double weight) const {
     if (!(median_ > 0) || !std::isfinite(median_)) return 1;
     return static_cast<CellCut::Cost>(
-        std::clamp(0x1p20 * (frame_.weight(f) / median_), 1.0, 0x1p40));
-  }
-
-  /// Calls visit(Facet) once for each facet within the hull or on it.
-  template <class Visit>
-  static void for_each_facet(const Triangulation3& triangulation, Visit visit) {
-    for (std::uint32_t c = 0; c < triangulation.n_finite_cells(); ++c)
-      for (unsigned i = 0; i < 4; ++i)
-        if (c < index(triangulation.cell(CellId{c}).neighbor[i].cell()))
-          visit(Facet(CellId{c}, i));
+        std::clamp(0x1p20 * (weight / median_), 1.0, 0x1p40));
   }
 
  private:
-  const LabelFrame& frame_;
   double median_ = 0;
+};
+
+/// The cells that are open: what is kept elsewhere is not asked about.
+class OpenCells {
+ public:
+  OpenCells(const LabelFrame& frame, const Labelling& labels)
+      : frame_(frame), labels_(labels) {
+    const Triangulation3& triangulation = frame.triangulation();
+    for (std::uint32_t c = 0; c < triangulation.n_finite_cells(); ++c)
+      if (frame.is_open(CellId{c})) cells_.push_back(CellId{c});
+    for (const CellId c : cells_)
+      for (unsigned i = 0; i < 4; ++i) {
+        const Facet f(c, i);
+        const bool other_is_open = frame.is_open(beyond(f));
+        if (other_is_open && beyond(f) < c) continue;
+        facets_.push_back({frame.weight(f), f, other_is_open});
+      }
+  }
+
+  std::span<const CellId> cells() const { return cells_; }
+
+  void weigh(CellCut& cut) const {
+    std::vector<double> weights;
+    for (const OpenFacet& f : facets_) weights.push_back(f.weight);
+    const Costs cost(std::move(weights));
+    for (const auto& [weight, f, other_is_open] : facets_) {
+      if (frame_.is_kept(f)) {
+        if (!labels_.is_on_surface(f)) continue;
+        prefer_label(cut, f.cell(), f.cell(), cost(weight));
+        if (other_is_open)
+          prefer_label(cut, beyond(f), beyond(f), cost(weight));
+      } else if (other_is_open) {
+        cut.set_cost(f, cost(weight));
+      } else {
+        prefer_label(cut, f.cell(), beyond(f), cost(weight));
+      }
+    }
+  }
+
+ private:
+  struct OpenFacet {
+    double weight;
+    Facet facet;
+    bool other_is_open;
+  };
+
+  CellId beyond(Facet f) const {
+    return frame_.triangulation().cell(f.cell()).neighbor[f.index()].cell();
+  }
+  /// What it costs if c does not get the label that `like` has.
+  void prefer_label(CellCut& cut, CellId c, CellId like,
+                    CellCut::Cost amount) const {
+    cut.add_preference(c, labels_.is_inside(like) ? amount : -amount);
+  }
+
+  const LabelFrame& frame_;
+  const Labelling& labels_;
+  std::vector<CellId> cells_;
+  std::vector<OpenFacet> facets_;  // with an open cell, each once
 };
 
 }  // namespace
@@ -178,29 +225,18 @@ std::vector<LocatedTriangle> held_by_cut(const LabelFrame& frame,
                                          std::span<const LocatedTriangle> kept,
                                          const Labelling& labels) {
   constexpr std::uint64_t kEffortPerCell = 4000;
-  const Triangulation3& triangulation = frame.triangulation();
-  const Costs cost(frame);
-  CellCut cut(triangulation);
-  const auto prefer_label = [&](CellId c, CellCut::Cost amount) {
-    cut.add_preference(c, labels.is_inside(c) ? amount : -amount);
-  };
-  for (std::uint32_t c = 0; c < triangulation.n_finite_cells(); ++c)
-    if (!frame.is_open(CellId{c})) prefer_label(CellId{c}, CellCut::kInfinite);
-  Costs::for_each_facet(triangulation, [&](Facet f) {
-    if (!frame.is_kept(f)) {
-      cut.set_cost(f, cost(f));
-    } else if (labels.is_on_surface(f)) {
-      const Facet other = triangulation.cell(f.cell()).neighbor[f.index()];
-      for (const CellId c : {f.cell(), other.cell()})
-        if (frame.is_open(c)) prefer_label(c, cost(f));
-    }
-  });
+  const OpenCells open(frame, labels);
+  CellCut cut(frame.triangulation(), open.cells());
+  open.weigh(cut);
   std::vector<LocatedTriangle> held(kept.begin(), kept.end());
-  if (!cut.run(kEffortPerCell * triangulation.cells().size())) return held;
+  if (!cut.run(kEffortPerCell * open.cells().size())) return held;
+  const auto is_inside = [&](CellId c) {
+    return frame.is_open(c) ? cut.is_inside(c) : labels.is_inside(c);
+  };
   std::erase_if(held, [&](const LocatedTriangle& t) {
     const Facet other =
-        triangulation.cell(t.facet.cell()).neighbor[t.facet.index()];
-    return cut.is_inside(t.facet.cell()) == cut.is_inside(other.cell());
+        frame.triangulation().cell(t.facet.cell()).neighbor[t.facet.index()];
+    return is_inside(t.facet.cell()) == is_inside(other.cell());
   });
   return held;
 }
