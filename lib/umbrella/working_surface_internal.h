@@ -59,6 +59,13 @@ class WorkingSurface {
       if (contains(i / 3)) visit(TriangleIndex{i / 3});
   }
 
+  /// Whether there is a triangle at v.
+  bool is_used(VertexId v) const {
+    std::uint32_t i = head_[index(v)];
+    while (i != kEnd && !contains(i / 3)) i = next_[i];
+    return i != kEnd;
+  }
+
   /// Calls visit(TriangleIndex) for each triangle that was not given at first.
   template <class Visit>
   void for_each_added(Visit visit) const {
