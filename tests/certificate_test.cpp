@@ -161,6 +161,30 @@ TEST(CheckSurface, FindsDegenerateAndRepeatedTriangles) {
   EXPECT_FALSE(report.closed || report.manifold);
 }
 
+TEST(CheckSurface, TakesATriangleThatMeetsItselfForOne) {
+  for (const IndexedTriangle& t :
+       {IndexedTriangle{0, 1, 1}, {0, 0, 1}, {1, 0, 1}}) {
+    const SurfaceReport report =
+        check_surface(tests::tetrahedron().vertices, std::vector{t});
+    EXPECT_EQ(report.degenerate_triangles, 1U);
+    EXPECT_EQ(report.duplicate_triangles, 0U);
+    EXPECT_EQ(report.nonmanifold_vertices, 1U);
+    EXPECT_FALSE(report.closed || report.manifold);
+  }
+}
+
+TEST(CheckSurface, TakesATriangleWithItsBackForNoSurface) {
+  const SurfaceReport report =
+      check_surface(tests::tetrahedron().vertices,
+                    std::vector<IndexedTriangle>{{0, 1, 2}, {0, 2, 1}});
+  EXPECT_EQ(report.duplicate_triangles, 1U);
+  EXPECT_EQ(report.nonmanifold_edges + report.nonmanifold_vertices, 0U);
+  EXPECT_TRUE(report.closed && report.oriented);
+  EXPECT_FALSE(report.manifold || report.outward);
+  EXPECT_EQ(report.volume, 0);
+  EXPECT_FALSE(report.genus.has_value());
+}
+
 /// Edges of a mesh with the triangles on each, as often as they run along it.
 std::map<IndexedEdge, std::vector<std::size_t>> triangles_by_edge(
     const std::vector<IndexedTriangle>& triangles) {
@@ -289,6 +313,40 @@ TEST(CheckSurface, SaysTheSameQuicklyAndInFull) {
   }
   // Five tetrahedra and ten double ones, two ways round.
   EXPECT_EQ(n_quick, 30);
+}
+
+/// The triangles of bits in `turned` the other way round.
+bool runs_opposite_ways(const std::vector<IndexedTriangle>& triangles,
+                        std::size_t turned) {
+  std::map<IndexedEdge, std::array<int, 2>> n_runs;  // down, up
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t a = triangles[t][i], b = triangles[t][(i + 1) % 3];
+      const bool is_up = (a < b) != ((turned >> t) % 2 == 1);
+      ++n_runs[{std::min(a, b), std::max(a, b)}][is_up ? 1 : 0];
+    }
+  return std::ranges::all_of(n_runs, [](const auto& edge_and_runs) {
+    const auto [down, up] = edge_and_runs.second;
+    return down + up != 2 || down == up;
+  });
+}
+
+TEST(CheckSurface, KnowsWhatCanBeOrientedByTrying) {
+  std::mt19937_64 rng(6);
+  const std::vector<Eigen::Vector3d> vertices(5, Eigen::Vector3d::Zero());
+  int n_orientable = 0;
+  constexpr int kTrials = 500;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    const auto triangles = small_mesh(static_cast<std::uint32_t>(rng() >> 32U));
+    bool can_be = false;
+    for (std::size_t turned = 0; turned >> triangles.size() == 0; ++turned)
+      can_be = can_be || runs_opposite_ways(triangles, turned);
+    EXPECT_EQ(check_surface(vertices, triangles).orientable, can_be)
+        << "trial " << trial;
+    n_orientable += can_be ? 1 : 0;
+  }
+  EXPECT_GT(n_orientable, kTrials / 10);
+  EXPECT_LT(n_orientable, kTrials);
 }
 
 TEST(CheckSurface, KnowsTheEmptyMesh) {
