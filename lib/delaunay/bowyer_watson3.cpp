@@ -184,13 +184,6 @@ CellId BowyerWatson3::locate(CellId start, const double* p) const {
 
 // ---- Cavity ----
 
-void BowyerWatson3::prefetch_around(Facet entry) {
-  const Cell& cell = cells_[index(entry.cell())];
-  for (const Facet f : cell.neighbor)
-    __builtin_prefetch(&cells_[index(f.cell())]);
-  __builtin_prefetch(&site(cell.vertex[entry.index()]));
-}
-
 bool BowyerWatson3::in_conflict(const Cell& cell, const double* p) const {
   const double d2 = squared_distance(cell, p);
   if (d2 < cell.inside2) return true;
@@ -249,7 +242,6 @@ bool BowyerWatson3::find_cavity(CellId seed, VertexId v, const Region& region) {
       search.boundary = boundary_.data();
       search.open = open_.data();
     }
-    prefetch_around(search.ahead(k));
     const Facet entry = search.cavity[k];
     const Cell& cell = cells_[index(entry.cell())];
     if (!region.owns(cell)) break;

@@ -70,7 +70,6 @@ class alignas(128) BowyerWatson3 {  // shares no cache line with another
   template <class Region>
   bool find_cavity(CellId seed, VertexId v, const Region& region);
   CavitySearch with_open_decided(CavitySearch search, VertexId v);
-  void prefetch_around(Facet entry);
   void lengthen_lists(std::size_t n);
   void forget_cavity();
   std::span<const Facet> cavity() const { return {cavity_.data(), n_cavity_}; }

@@ -74,12 +74,6 @@ struct CavitySearch {
   std::size_t needed_room() const {
     return std::max(n_cavity, n_boundary) + n_open + 4;
   }
-  /// The cell whose neighbours should be on their way to the cache while the
-  /// k-th is searched. With 200000 uniform points, distances from 0 to 6
-  /// differ by 4 %; 2 and 3 are best.
-  Facet ahead(std::size_t k) const {
-    return cavity[std::min(k + 3, n_cavity - 1)];
-  }
 
  private:
   void add(Facet f, std::uint32_t inside, std::uint32_t outside) {

@@ -8,6 +8,8 @@
 
 namespace predicates {
 
+static_assert(std::endian::native == std::endian::little);
+
 /// A point of a lattice in four numbers of 16 bits, modulo 2^16: in the lowest
 /// bits x, in units, then y and z, then 2^10 x + 2^5 y + z, by which points few
 /// units apart compare in lexicographic order.
