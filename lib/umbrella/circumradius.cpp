@@ -161,6 +161,20 @@ PairLambda pair_lambda(const std::array<Point3, 4>& abcd) {
   return {quotient, kPairError * (r.flatness + R.flatness) * quotient.hi};
 }
 
+/// Of 4 r^2 for the circle through the first three points.
+Enclosure circle_enclosure(const std::array<Point3, 4>& abcd) {
+  const std::array abc = {abcd[0], abcd[1], abcd[2]};
+  const double scale = power_of_two_scale(abc);
+  const PairRadius r = pair_radius(abc, scale);
+  const int shift = -2 * std::ilogb(scale);
+  const double hi = std::ldexp(r.value.hi, shift);
+  // Where bits may have been lost nothing is known.
+  constexpr double kLeast = 0x1p-800, kMost = 0x1p+1000;
+  if (!(r.value.hi >= kLeast && hi >= kLeast && hi <= kMost))
+    return {0, 0, std::numeric_limits<double>::infinity()};
+  return {hi, std::ldexp(r.value.lo, shift), kPairError * r.flatness * hi};
+}
+
 std::optional<double> quarter_rounded(const PairRadius& r) {
   const auto rounded = r.value.rounded(kPairError * r.flatness * r.value.hi);
   return rounded ? std::optional(*rounded / 4) : std::nullopt;
@@ -247,11 +261,7 @@ ExactRatio squared_lambda_ratio(const std::array<Point3, 4>& abcd) {
     const auto& [u, v, w] = small->difference;
     return ratio(lambda_fraction(u, v, w), 0);
   }
-  const auto [quotient, error] = pair_lambda(abcd);
-  return {{quotient.hi, quotient.lo, error},
-          [abcd] { return whole_lambda(abcd); },
-          0,
-          {abcd, false}};
+  return {Origin{abcd, false}, 0};
 }
 
 ExactRatio squared_circumradius_ratio(const std::array<Point3, 4>& abcd) {
@@ -260,15 +270,22 @@ ExactRatio squared_circumradius_ratio(const std::array<Point3, 4>& abcd) {
     const auto& [u, v] = small->difference;
     return ratio(circle_radius(u, v), 2 * small->exponent);
   }
-  constexpr double kUnknown = std::numeric_limits<double>::infinity();
-  return {{0, 0, kUnknown},
-          [abc]() -> WholeFraction {
-            const WholeDifferences<3> d(abc);
-            auto r = circle_radius(d.difference[0], d.difference[1]);
-            return {std::move(r.numerator), std::move(r.denominator)};
-          },
-          2 * common_exponent(abc),
-          {abcd, true}};
+  return {Origin{abcd, true}, 2 * common_exponent(abc)};
+}
+
+Enclosure enclosure(const Origin& origin) {
+  if (origin.circle_only) return circle_enclosure(origin.points);
+  const auto [quotient, error] = pair_lambda(origin.points);
+  return {quotient.hi, quotient.lo, error};
+}
+
+WholeFraction whole_fraction(const Origin& origin) {
+  const auto& [a, b, c, d] = origin.points;
+  if (!origin.circle_only) return whole_lambda(origin.points);
+  const WholeDifferences<3> differences({a, b, c});
+  const auto& [u, v] = differences.difference;
+  RadiusFraction<BigInteger> r = circle_radius(u, v);
+  return {std::move(r.numerator), std::move(r.denominator)};
 }
 
 }  // namespace umbrella

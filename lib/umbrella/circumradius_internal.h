@@ -111,4 +111,17 @@ ExactRatio squared_circumradius_ratio(
     const std::array<delaunay::Point3, 4>& abcd);
 ExactRatio squared_lambda_ratio(const std::array<delaunay::Point3, 4>& abcd);
 
+/// A number known to lie within `error` of hi + lo, |lo| being below an ulp of
+/// hi.
+struct Enclosure {
+  double hi, lo;
+  double error;  // infinite if nothing is known
+};
+
+/// Of such a ratio.
+Enclosure enclosure(const Origin& origin);
+/// Such a ratio, that of a circle in units of 4^e, where 2^e divides all
+/// coordinates of the first three points.
+WholeFraction whole_fraction(const Origin& origin);
+
 }  // namespace umbrella

@@ -19,6 +19,7 @@ using delaunay::Cell;
 using delaunay::CellId;
 using delaunay::Facet;
 using delaunay::kFacetCorners;
+using delaunay::kInfinite;
 using delaunay::Point3;
 using delaunay::Triangulation3;
 using delaunay::VertexId;
@@ -41,35 +42,31 @@ void sort_corners(std::array<VertexId, kCorners>& v) {
   if constexpr (kCorners == 4) order(2, 3), order(1, 2), order(0, 1);
 }
 
-/// A facet within the hull or on it, and the cell there with the larger sphere.
-struct FacetView {
-  std::array<const Point3*, 4> points;  // corners; that cell's apex
-  const Point3* rival = nullptr;  // apex of the other cell, if it may be larger
-  bool on_hull = false;
+/// Facets that are measured together: their coordinates first, then the
+/// arithmetic. A processor waits where it reads four numbers at once that it
+/// has just written one by one; with so many the first have long arrived.
+constexpr std::size_t kBatch = 32;
 
-  FacetView() = default;
-  FacetView(const Triangulation3& t, Facet facet) {
-    const Cell& here = t.cell(facet.cell());
-    const Facet beyond = here.neighbor[facet.index()];
-    const Cell& there = t.cell(beyond.cell());
-    std::array<VertexId, 3> corners;
-    for (unsigned i = 0; i < 3; ++i)
-      corners[i] = here.vertex[kFacetCorners[facet.index()][i]];
-    sort_corners(corners);
-    for (unsigned i = 0; i < 3; ++i) points[i] = &t.point(corners[i]);
+/// Coordinates of the four points of each.
+struct Batch {
+  alignas(64) std::array<std::array<std::array<double, kBatch>, 3>, 4> points;
 
-    on_hull = here.is_infinite() || there.is_infinite();
-    const bool is_beyond =
-        on_hull ? here.is_infinite() : there.inside2 > here.inside2;
-    const VertexId near = here.vertex[facet.index()];
-    const VertexId far = there.vertex[beyond.index()];
-    points[3] = &t.point(is_beyond ? far : near);
-    // Squared radii lie within a 2^-22 part of what is cached, and are computed
-    // to a 2^-35 part: beyond such a gap there is no rival.
-    constexpr double kGap = 1 + 0x1p-20;
-    if (!on_hull && std::max(here.inside2, there.inside2) <=
-                        kGap * std::min(here.outside2, there.outside2))
-      rival = &t.point(is_beyond ? near : far);
+  void set(std::size_t i, const Triangulation3& t, const FacetPoints& facet) {
+    const auto& [a, b, c] = facet.triangle.corners;
+    // On the hull nobody looks at the sphere.
+    const VertexId d = facet.apex == kInfinite ? a : facet.apex;
+    unsigned k = 0;
+    for (const VertexId v : {a, b, c, d}) {
+      for (unsigned axis = 0; axis < 3; ++axis)
+        points[k][axis][i] = t.point(v)[axis];
+      ++k;
+    }
+  }
+  Vector<Lanes> corner(unsigned k, std::size_t first, double scale) const {
+    const auto lanes = [&](unsigned axis) -> Lanes {
+      return scale * Eigen::Map<const Lanes>(&points[k][axis][first]);
+    };
+    return {lanes(0), lanes(1), lanes(2)};
   }
 };
 
@@ -78,9 +75,11 @@ struct Geometry {
   Lanes triangle, cell;  // squared radii, right where fat
   Eigen::Array<bool, kLanes, 1> is_fat_triangle, is_fat_cell;
 
-  explicit Geometry(const std::array<Vector<Lanes>, 4>& v) {
+  Geometry(const Batch& batch, std::size_t first, double scale) {
+    const Vector<Lanes> origin = batch.corner(0, first, scale);
     const auto edge = [&](unsigned k) -> Vector<Lanes> {
-      return {v[k][0] - v[0][0], v[k][1] - v[0][1], v[k][2] - v[0][2]};
+      const Vector<Lanes> end = batch.corner(k, first, scale);
+      return {end[0] - origin[0], end[1] - origin[1], end[2] - origin[2]};
     };
     const Vector<Lanes> a = edge(1), b = edge(2), c = edge(3);
     const Lanes aa = dot(a, a), bb = dot(b, b), cc = dot(c, c);
@@ -95,20 +94,27 @@ struct Geometry {
   }
 };
 
-FacetRadii radii_of(const FacetView& view, const Geometry& geometry,
-                    std::size_t lane, double scale) {
+/// Of the facet in that lane.
+FacetRadii radii_of(const Triangulation3& t, const FacetPoints& facet,
+                    const Geometry& geometry, std::size_t lane, double scale) {
   const auto l = static_cast<Eigen::Index>(lane);
-  const auto& [a, b, c, d] = view.points;
+  const Triangle& corners = facet.triangle.corners;
+  const Point3 &a = t.point(corners[0]), &b = t.point(corners[1]),
+               &c = t.point(corners[2]);
   FacetRadii radii = {geometry.triangle[l], geometry.cell[l]};
   if (!geometry.is_fat_triangle[l])
-    radii.triangle = squared_circumradius(*a, *b, *c, scale);
+    radii.triangle = squared_circumradius(a, b, c, scale);
+  if (facet.apex == kInfinite) {
+    radii.larger_cell = std::numeric_limits<double>::infinity();
+    return radii;
+  }
   if (!geometry.is_fat_cell[l])
-    radii.larger_cell = squared_circumradius({*a, *b, *c, *d}, scale);
-  if (view.rival != nullptr)
+    radii.larger_cell =
+        squared_circumradius({a, b, c, t.point(facet.apex)}, scale);
+  if (facet.rival != kInfinite)
     radii.larger_cell =
         std::max(radii.larger_cell,
-                 squared_circumradius({*a, *b, *c, *view.rival}, scale));
-  if (view.on_hull) radii.larger_cell = std::numeric_limits<double>::infinity();
+                 squared_circumradius({a, b, c, t.point(facet.rival)}, scale));
   return radii;
 }
 
@@ -127,23 +133,45 @@ double Circumspheres::squared_radius(CellId id) const {
   return squared_circumradius({at(0), at(1), at(2), at(3)}, scale_);
 }
 
-void Circumspheres::measure(std::span<const Facet> facets,
+FacetPoints Circumspheres::points_of(Facet f) const {
+  const Cell& here = triangulation_->cell(f.cell());
+  const Facet beyond = here.neighbor[f.index()];
+  const Cell& there = triangulation_->cell(beyond.cell());
+  FacetPoints points = {{{}, f}, kInfinite, kInfinite};
+  Triangle& corners = points.triangle.corners;
+  for (unsigned i = 0; i < 3; ++i)
+    corners[i] = here.vertex[kFacetCorners[f.index()][i]];
+  sort_corners(corners);
+  if (here.is_infinite() || there.is_infinite()) return points;
+
+  // Looked up, not jumped to: which it is, no processor can guess.
+  const std::array<VertexId, 2> apex = {here.vertex[f.index()],
+                                        there.vertex[beyond.index()]};
+  const unsigned larger = there.inside2 > here.inside2 ? 1 : 0;
+  points.apex = apex[larger];
+  // Squared radii lie within a 2^-22 part of what is cached, and are computed
+  // to a 2^-35 part: beyond such a gap there is no rival.
+  constexpr double kGap = 1 + 0x1p-20;
+  if (std::max(here.inside2, there.inside2) <=
+      kGap * std::min(here.outside2, there.outside2))
+    points.rival = apex[1 - larger];
+  return points;
+}
+
+void Circumspheres::measure(std::span<const FacetPoints> facets,
                             std::span<FacetRadii> radii) const {
-  for (std::size_t first = 0; first < facets.size(); first += kLanes) {
-    const std::size_t n = std::min(facets.size() - first, kLanes);
-    std::array<FacetView, kLanes> views;
-    std::array<Vector<Lanes>, 4> v;
-    for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      const Facet facet = facets[first + std::min(lane, n - 1)];
-      views[lane] = FacetView(*triangulation_, facet);
-      for (unsigned k = 0; k < 4; ++k)
-        for (unsigned i = 0; i < 3; ++i)
-          v[k][i][static_cast<Eigen::Index>(lane)] =
-              scale_ * (*views[lane].points[k])[i];
+  Batch batch;
+  for (std::size_t begin = 0; begin < facets.size(); begin += kBatch) {
+    const std::size_t n = std::min(facets.size() - begin, kBatch);
+    for (std::size_t i = 0; i < n || i % kLanes != 0; ++i)
+      batch.set(i, *triangulation_, facets[begin + std::min(i, n - 1)]);
+    for (std::size_t first = 0; first < n; first += kLanes) {
+      const Geometry geometry(batch, first, scale_);
+      const std::size_t end = std::min(first + kLanes, n);
+      for (std::size_t i = first; i < end; ++i)
+        radii[begin + i] = radii_of(*triangulation_, facets[begin + i],
+                                    geometry, i - first, scale_);
     }
-    const Geometry geometry(v);
-    for (std::size_t lane = 0; lane < n; ++lane)
-      radii[first + lane] = radii_of(views[lane], geometry, lane, scale_);
   }
 }
 

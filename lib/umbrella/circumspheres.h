@@ -8,6 +8,7 @@
 #include <span>
 
 #include "delaunay/triangulation3.h"
+#include "umbrella/triangle.h"
 
 namespace umbrella {
 
@@ -16,6 +17,14 @@ namespace umbrella {
 struct FacetRadii {
   double triangle;
   double larger_cell;  ///< of the two at the facet; infinite on the hull
+};
+
+/// What the radii at a facet depend on.
+struct FacetPoints {
+  LocatedTriangle triangle;
+  VertexId apex;  ///< of the cell with the larger sphere; kInfinite on the hull
+  /// Of the other cell, if that may be the larger one after all; or kInfinite.
+  VertexId rival;
 };
 
 /// A view of a triangulation: every answer is computed when it is asked for,
@@ -30,14 +39,17 @@ class Circumspheres {
   /// 1 / scale(); relative error below 2^-35. Infinite beyond the hull.
   double squared_radius(delaunay::CellId c) const;
 
+  FacetPoints points_of(delaunay::Facet f) const;
+
   /// Both radii of each facet. Many at once take half the time.
   ///
   /// @param radii  as long as `facets`
-  void measure(std::span<const delaunay::Facet> facets,
+  void measure(std::span<const FacetPoints> facets,
                std::span<FacetRadii> radii) const;
   FacetRadii measure(delaunay::Facet f) const {
+    const FacetPoints points = points_of(f);
     FacetRadii radii{};
-    measure({&f, 1}, {&radii, 1});
+    measure({&points, 1}, {&radii, 1});
     return radii;
   }
 

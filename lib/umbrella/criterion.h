@@ -1,7 +1,6 @@
 /// @file
-/// What makes a triangle fit for an umbrella, and which of two is better.
-///
-/// A criterion is any type with these two members:
+/// What makes a triangle fit for an umbrella, and which of two is better. A
+/// criterion is any type with these two members:
 ///
 ///   struct ShortestFirst {
 ///     bool admissible(const DelaunayTriangle&) const { return true; }
@@ -12,20 +11,15 @@
 ///   const auto ranked = ranked_triangles(triangulation, ShortestFirst{});
 #pragma once
 
-#include <array>
 #include <concepts>
 #include <cstddef>
-#include <cstdint>
-#include <functional>
-#include <span>
-#include <utility>
 #include <vector>
 
 #include "umbrella/circumspheres.h"
 #include "umbrella/delaunay_triangle.h"
 #include "umbrella/exact_order.h"
-#include "umbrella/exact_ratio.h"
 #include "umbrella/facets.h"
+#include "umbrella/facets_by_corners.h"
 #include "umbrella/ranges.h"
 #include "umbrella/triangle.h"
 
@@ -59,8 +53,6 @@ struct PaperCriterion {
   }
 };
 
-void sort_by_corners(std::vector<RankedTriangle>& triangles);
-
 /// Gabriel triangles, the smaller circumradius first: sizes, not shapes.
 struct CircumradiusCriterion {
   bool admissible(const DelaunayTriangle& t) const { return t.is_gabriel(); }
@@ -72,17 +64,14 @@ struct CircumradiusCriterion {
   }
 };
 
-/// What the criterion admits of the facets of some cells, with ranks.
+/// What the criterion admits of the facets of some cells.
 template <Criterion C>
-std::vector<RankedTriangle> admitted(
-    const delaunay::Triangulation3& triangulation, const Circumspheres& spheres,
-    const C& criterion, IndexRange cells) {
-  std::vector<RankedTriangle> triangles;
-  // Of a scan some two in five cells give one, of a solid more; what is never
-  // used is never laid out.
-  triangles.reserve(cells.size());
+FacetList admitted(const delaunay::Triangulation3& triangulation,
+                   const Circumspheres& spheres, const C& criterion,
+                   IndexRange cells) {
+  FacetList facets;
+  facets.reserve(2 * cells.size());  // and a few on the hull
   FacetBlocks blocks(triangulation, cells);
-  std::array<FacetRadii, FacetBlocks::kLargest> radii;
   for (auto block = blocks.next(); !block.empty(); block = blocks.next()) {
     std::size_t n = 0;
     for (const delaunay::Facet facet : block) {
@@ -91,15 +80,35 @@ std::vector<RankedTriangle> admitted(
       n += static_cast<std::size_t>(criterion.admissible(
           DelaunayTriangle(triangulation, spheres, facet)));
     }
-    spheres.measure(block.first(n), std::span(radii).first(n));
-    for (std::size_t i = 0; i < n; ++i) {
-      const DelaunayTriangle t(triangulation, spheres, block[i], &radii[i]);
+    for (const delaunay::Facet facet : block.first(n))
+      facets.push_back(spheres.points_of(facet));
+  }
+  return facets;
+}
+
+/// Those of some lowest corners, with ranks, by ascending corners.
+template <Criterion C>
+std::vector<RankedTriangle> ranked(
+    const delaunay::Triangulation3& triangulation, const Circumspheres& spheres,
+    const C& criterion, const FacetsByCorners& facets, IndexRange lowest) {
+  std::vector<RankedTriangle> triangles;
+  triangles.reserve(facets.count(lowest));
+  delaunay::advise_huge_pages(triangles.data(),
+                              triangles.capacity() * sizeof(RankedTriangle));
+  std::vector<FacetRadii> radii;
+  FacetsByCorners::Walk walk(facets, lowest);
+  for (auto block = walk.next(); !block.empty(); block = walk.next()) {
+    radii.resize(block.size());
+    spheres.measure(block, radii);
+    for (std::size_t i = 0; i < block.size(); ++i) {
+      const auto& [corners, facet] = block[i].triangle;
+      const DelaunayTriangle t(triangulation, spheres, facet, &radii[i]);
       // In place: a whole one, copied, waits for its parts to be written.
-      RankedTriangle& ranked = triangles.emplace_back();
-      ranked.corners = t.corners();
-      ranked.facet = block[i];
-      ranked.rank = criterion.rank(t);
-      ranked.squared_lambda = t.squared_lambda_lower();
+      RankedTriangle& next = triangles.emplace_back();
+      next.corners = corners;
+      next.facet = facet;
+      next.rank = criterion.rank(t);
+      next.squared_lambda = t.squared_lambda_lower();
     }
   }
   return triangles;
@@ -113,16 +122,21 @@ template <Criterion C = PaperCriterion>
 std::vector<RankedTriangle> ranked_triangles(
     const delaunay::Triangulation3& triangulation, const Circumspheres& spheres,
     const C& criterion = {}, unsigned threads = 1) {
-  auto triangles = joined(for_ranges(
-      triangulation.n_finite_cells(), threads, [&](IndexRange cells) {
-        return admitted(triangulation, spheres, criterion, cells);
-      }));
+  const std::size_t n = triangulation.points().size();
+  const auto find = [&](IndexRange cells) {
+    return admitted(triangulation, spheres, criterion, cells);
+  };
+  const FacetsByCorners facets(
+      n, joined(for_ranges(triangulation.n_finite_cells(), threads, find)));
+  const auto rank = [&](IndexRange lowest) {
+    return ranked(triangulation, spheres, criterion, facets, lowest);
+  };
+  auto triangles = joined(for_ranges(n, threads, rank));
   if constexpr (ExactCriterion<C>)
     order_exactly(triangles, [&](delaunay::Facet facet) {
       return criterion.exact_rank(
           DelaunayTriangle(triangulation, spheres, facet));
     });
-  sort_by_corners(triangles);
   return triangles;
 }
 

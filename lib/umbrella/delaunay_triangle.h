@@ -28,12 +28,7 @@ class DelaunayTriangle {
         facet_(facet) {}
 
   Triangle corners() const {
-    const auto& vertex = triangulation_->cell(facet_.cell()).vertex;
-    const auto& [i, j, k] = delaunay::kFacetCorners[facet_.index()];
-    const VertexId a = vertex[i], b = vertex[j], c = vertex[k];
-    const VertexId low = std::min(a, b), high = std::max(a, b);
-    return {std::min(low, c), std::max(low, std::min(high, c)),
-            std::max(high, c)};
+    return umbrella::corners(*triangulation_, facet_);
   }
   /// In the order of corners().
   std::array<Point3, 3> points() const {

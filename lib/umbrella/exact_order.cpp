@@ -39,8 +39,7 @@ class StepTable {
   explicit StepTable(std::size_t n_numbers)
       : shift_(kWordBits -
                static_cast<int>(std::bit_width(kPlaces * n_numbers))),
-        once_((std::size_t{1} << (kWordBits - shift_)) / kWordBits + 1),
-        twice_(once_.size()) {}
+        words_((std::size_t{1} << (kWordBits - shift_)) / kPlacesOfWord + 1) {}
 
   void enter(double x) {
     const auto [low, high] = steps(x);
@@ -49,20 +48,22 @@ class StepTable {
   }
   bool may_be_shared(double x) const {
     const auto [low, high] = steps(x);
-    return is_set(twice_, place(low)) || is_set(twice_, place(high));
+    return is_shared(low) || (low != high && is_shared(high));
   }
 
  private:
   static constexpr int kWordBits = 64;
+  static constexpr std::size_t kPlacesOfWord = kWordBits / 2;
   /// For each number; so few of them seem to be shared that are not.
   static constexpr std::size_t kPlaces = 16;
 
   /// The ends of an interval of a relative width just above kNearTie, so that
-  /// those of near numbers meet. A step keeps 29 bits of the fraction: it is
-  /// wider than any such interval, which therefore lies on two at most.
+  /// those of near numbers meet. A step keeps 26 bits of the fraction: it is
+  /// wider than any such interval, which therefore lies on two at most, and
+  /// mostly on one.
   static std::pair<std::uint64_t, std::uint64_t> steps(double x) {
     constexpr double kHalfWidth = (1 + 0x1p-16) * kNearTie / 2;
-    constexpr unsigned kDropped = 23;
+    constexpr unsigned kDropped = 26;
     return {bits(x * (1 - kHalfWidth)) >> kDropped,
             bits(x * (1 + kHalfWidth)) >> kDropped};
   }
@@ -71,17 +72,18 @@ class StepTable {
   }
   void enter_step(std::uint64_t step) {
     const std::size_t p = place(step);
-    std::uint64_t& once = once_[p / kWordBits];
-    const std::uint64_t bit = std::uint64_t{1} << p % kWordBits;
-    twice_[p / kWordBits] |= once & bit;
-    once |= bit;
+    std::uint64_t& word = words_[p / kPlacesOfWord];
+    const std::size_t shift = 2 * (p % kPlacesOfWord);
+    const std::uint64_t was_met = word >> shift & 1U;
+    word |= (1U | was_met << 1U) << shift;
   }
-  static bool is_set(const std::vector<std::uint64_t>& words, std::size_t p) {
-    return (words[p / kWordBits] >> p % kWordBits & 1U) != 0;
+  bool is_shared(std::uint64_t step) const {
+    const std::size_t p = place(step);
+    return (words_[p / kPlacesOfWord] >> 2 * (p % kPlacesOfWord) & 2U) != 0;
   }
 
   int shift_;
-  std::vector<std::uint64_t> once_, twice_;
+  std::vector<std::uint64_t> words_;  // two bits a place: met, met again
 };
 
 /// Buckets are equal steps of the bits, that is of a logarithm.
@@ -112,44 +114,59 @@ class Orderer {
           const std::function<ExactRank(delaunay::Facet)>& exact)
       : triangles_(triangles), exact_(exact) {}
 
-  void order_primaries() {
+  void order() {
     StepTable table(triangles_.size());
-    for (const RankedTriangle& t : triangles_) table.enter(t.rank.primary);
-    std::vector<Entry> entries;
+    std::vector<Entry> entries;  // at zero, then those that may be near others
+    for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
+      const Rank& rank = triangles_[i].rank;
+      if (rank.primary > 0)
+        table.enter(rank.primary);
+      else
+        entries.push_back({rank.secondary, i});
+    }
+    number_secondaries(entries);
+
+    entries.clear();
     for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
       const double primary = triangles_[i].rank.primary;
       if (primary > 0 && table.may_be_shared(primary))
         entries.push_back({primary, i});
     }
-    sort_by_value(entries);
-    for_each_run(entries, [this](std::span<const Entry> run) {
-      if (run.size() > 1) spread(run);
-    });
+    order_primaries(entries);
   }
 
-  void order_secondaries_at_zero() {
-    std::vector<Entry> entries;
-    for (std::uint32_t i = 0; i < triangles_.size(); ++i)
-      if (triangles_[i].rank.primary == 0)
-        entries.push_back({triangles_[i].rank.secondary, i});
+ private:
+  /// One of a run, and which of the classes of equal ones it is in.
+  struct Member {
+    std::uint32_t position;
+    std::uint32_t in_class;
+  };
+  struct Class {
+    ExactRank exact;
+    std::uint32_t name;
+    bool equals_previous;
+  };
+
+  Rank& rank(const Member& m) { return triangles_[m.position].rank; }
+
+  /// Of triangles whose primaries are equal.
+  void number_secondaries(std::vector<Entry>& entries) {
     sort_by_value(entries);
     double number = 0;
     for_each_run(entries, [&](std::span<const Entry> run) {
-      for_each_class(run, [&](std::span<const Keyed> equal) {
-        for (const Keyed& k : equal) rank(k).secondary = number;
+      for_each_class(run, [&](std::span<const Member> equal) {
+        for (const Member& m : equal) rank(m).secondary = number;
         ++number;
       });
     });
   }
 
- private:
-  struct Keyed {
-    ExactRank exact;
-    std::uint32_t position;
-    bool equals_previous;
-  };
-
-  Rank& rank(const Keyed& k) { return triangles_[k.position].rank; }
+  void order_primaries(std::vector<Entry>& entries) {
+    sort_by_value(entries);
+    for_each_run(entries, [this](std::span<const Entry> run) {
+      if (run.size() > 1) spread(run);
+    });
+  }
 
   /// Calls visit(span of entries each of which is near the one before).
   template <class Visit>
@@ -165,41 +182,71 @@ class Orderer {
   /// Calls visit(span of equal ones), in exact order.
   template <class Visit>
   void for_each_class(std::span<const Entry> run, Visit visit) {
-    keyed_.clear();
+    members_.clear();
+    classes_.clear();
     for (const Entry& e : run)
-      keyed_.push_back(
-          {run.size() > 1 ? exact_(triangles_[e.position].facet) : ExactRank{},
-           e.position, false});
-    // Estimates leave little to compare: most neighbours are equal now.
-    std::sort(keyed_.begin(), keyed_.end(), [](const Keyed& a, const Keyed& b) {
-      const auto x = a.exact.primary.estimate();
-      const auto y = b.exact.primary.estimate();
-      return x != y
-                 ? x < y
-                 : a.exact.secondary.estimate() < b.exact.secondary.estimate();
-    });
+      members_.push_back({e.position, run.size() > 1 ? class_of(e) : 0});
+    if (classes_.size() > 1) order_classes();
+    const std::span<const Member> members = members_;
+    for (std::size_t begin = 0, end = 0; begin < members.size(); begin = end) {
+      end = begin + 1;
+      while (end < members.size() &&
+             members[end].in_class == members[begin].in_class)
+        ++end;
+      visit(members.subspan(begin, end - begin));
+    }
+  }
+
+  /// Most of a run are plainly equal to one that came before.
+  std::uint32_t class_of(const Entry& e) {
+    constexpr std::size_t kMostTried = 8;
+    ExactRank exact = exact_(triangles_[e.position].facet);
+    const std::size_t n_tried = std::min(classes_.size(), kMostTried);
+    for (const Class& c : std::span(classes_).last(n_tried))
+      if (plainly_equal(c.exact, exact)) return c.name;
+    const auto name = static_cast<std::uint32_t>(classes_.size());
+    classes_.push_back({std::move(exact), name, false});
+    return name;
+  }
+
+  /// Sorts the members by the exact order of their classes, and gives classes
+  /// that prove equal one name.
+  void order_classes() {
+    // Estimates leave little to compare.
+    std::sort(classes_.begin(), classes_.end(),
+              [](const Class& a, const Class& b) {
+                const auto x = a.exact.primary.estimate();
+                const auto y = b.exact.primary.estimate();
+                return x != y ? x < y
+                              : a.exact.secondary.estimate() <
+                                    b.exact.secondary.estimate();
+              });
     if (!compare_neighbors()) {
-      std::stable_sort(keyed_.begin(), keyed_.end(),
-                       [](const Keyed& a, const Keyed& b) {
+      std::stable_sort(classes_.begin(), classes_.end(),
+                       [](const Class& a, const Class& b) {
                          return compare(a.exact, b.exact) < 0;
                        });
       compare_neighbors();
     }
-    const std::span<const Keyed> keyed = keyed_;
-    for (std::size_t begin = 0, end = 0; begin < keyed.size(); begin = end) {
-      end = begin + 1;
-      while (end < keyed.size() && keyed[end].equals_previous) ++end;
-      visit(keyed.subspan(begin, end - begin));
-    }
+    places_.resize(classes_.size());
+    std::uint32_t place = 0;
+    for (const Class& c : classes_)
+      places_[c.name] = place += c.equals_previous ? 0 : 1;
+    for (Member& m : members_) m.in_class = places_[m.in_class];
+    std::sort(members_.begin(), members_.end(),
+              [](const Member& a, const Member& b) {
+                return a.in_class < b.in_class;
+              });
   }
 
   /// @return whether they ascend; if so, equals_previous is set
   bool compare_neighbors() {
-    for (std::size_t i = 1; i < keyed_.size(); ++i) {
-      const int order = compare(keyed_[i - 1].exact, keyed_[i].exact);
+    for (std::size_t i = 1; i < classes_.size(); ++i) {
+      const int order = compare(classes_[i - 1].exact, classes_[i].exact);
       if (order > 0) return false;
-      keyed_[i].equals_previous = order == 0;
+      classes_[i].equals_previous = order == 0;
     }
+    classes_.front().equals_previous = false;
     return true;
   }
 
@@ -207,25 +254,26 @@ class Orderer {
   /// no more than the numbers are.
   void spread(std::span<const Entry> run) {
     double primary = 0, number = 0;
-    for_each_class(run, [&](std::span<const Keyed> equal) {
-      for (const Keyed& k : equal) primary = std::max(primary, rank(k).primary);
-      for (const Keyed& k : equal) rank(k) = {primary, number};
+    for_each_class(run, [&](std::span<const Member> equal) {
+      for (const Member& m : equal)
+        primary = std::max(primary, rank(m).primary);
+      for (const Member& m : equal) rank(m) = {primary, number};
       ++number;
     });
   }
 
   std::vector<RankedTriangle>& triangles_;
   const std::function<ExactRank(delaunay::Facet)>& exact_;
-  std::vector<Keyed> keyed_;
+  std::vector<Member> members_;
+  std::vector<Class> classes_;
+  std::vector<std::uint32_t> places_;
 };
 
 }  // namespace
 
 void order_exactly(std::vector<RankedTriangle>& triangles,
                    const std::function<ExactRank(delaunay::Facet)>& exact) {
-  Orderer orderer(triangles, exact);
-  orderer.order_secondaries_at_zero();
-  orderer.order_primaries();
+  Orderer(triangles, exact).order();
 }
 
 }  // namespace umbrella

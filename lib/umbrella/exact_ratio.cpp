@@ -4,11 +4,13 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <utility>
 
 #include "predicates/predicates.h"
 #include "umbrella/big_integer_internal.h"
+#include "umbrella/circumradius_internal.h"
 #include "umbrella/double_double_internal.h"
 
 namespace umbrella {
@@ -18,12 +20,16 @@ using delaunay::Point3;
 /// Along the axes.
 using Extent = std::array<double, 3>;
 
+/// Evaluated when a comparison needs it.
 struct ExactRatio::Large {
-  Enclosure enclosure;
-  std::function<WholeFraction()> evaluate;
-  std::optional<WholeFraction> whole;
   Origin origin;
-  std::array<Extent, 3> extents;
+  std::optional<Enclosure> enclosure = std::nullopt;
+  std::unique_ptr<WholeFraction> whole = nullptr;
+
+  const Enclosure& enclosed() {
+    if (!enclosure) enclosure = umbrella::enclosure(origin);
+    return *enclosure;
+  }
 };
 
 namespace {
@@ -118,6 +124,7 @@ bool are_spheres_copies(const Origin& a, const Origin& b,
     return false;
   const Point3 u = q - p, v = r - p, w = s - p;
   const Point3 x = copied_apex(a.points, b.points, order);
+  if (x == w) return true;
   return predicates::insphere(Point3::Zero().eval().data(), u.data(), v.data(),
                               w.data(), x.data()) == 0;
 }
@@ -136,32 +143,28 @@ bool are_same(const Origin& a, const Origin& b) {
   return true;
 }
 
-}  // namespace
-
-/// Whether the points show it at a glance.
-bool ExactRatio::are_equal(const Large& a, const Large& b) {
+/// Whether the points show that the fractions are equal.
+bool are_plainly_equal(const Origin& a, const Origin& b) {
   static constexpr std::array<CornerOrder, 6> kOrders = {
       {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
-  if (a.origin.circle_only != b.origin.circle_only) return false;
-  if (std::any_of(kOrders.begin(), kOrders.end(), [&](const auto& order) {
-        return are_copies(a.extents, b.extents, order) &&
-               (a.origin.circle_only ||
-                are_spheres_copies(a.origin, b.origin, order));
-      }))
-    return true;
-  return are_same(a.origin, b.origin);
+  if (a.circle_only != b.circle_only) return false;
+  const auto a_extents = extents(a.points), b_extents = extents(b.points);
+  return std::any_of(
+             kOrders.begin(), kOrders.end(),
+             [&](const CornerOrder& order) {
+               return are_copies(a_extents, b_extents, order) &&
+                      (a.circle_only || are_spheres_copies(a, b, order));
+             }) ||
+         are_same(a, b);
 }
 
-ExactRatio::ExactRatio(const Enclosure& enclosure,
-                       std::function<WholeFraction()> evaluate, int exponent,
-                       const Origin& origin)
-    : exponent_(exponent),
-      large_(std::make_shared<Large>(Large{enclosure, std::move(evaluate),
-                                           std::nullopt, origin,
-                                           extents(origin.points)})) {}
+}  // namespace
+
+ExactRatio::ExactRatio(const Origin& origin, int exponent)
+    : exponent_(exponent), large_(std::make_shared<Large>(Large{origin})) {}
 
 std::pair<double, double> ExactRatio::estimate() const {
-  if (large_) return {large_->enclosure.hi, large_->enclosure.lo};
+  if (large_) return {large_->enclosed().hi, large_->enclosed().lo};
   return {
       std::ldexp(static_cast<double>(n_) / static_cast<double>(d_), exponent_),
       0};
@@ -171,8 +174,17 @@ WholeFraction ExactRatio::whole() const {
   if (!large_)
     return {BigInteger(static_cast<double>(n_), 0),
             BigInteger(static_cast<double>(d_), 0)};
-  if (!large_->whole) large_->whole = large_->evaluate();
+  if (!large_->whole)
+    large_->whole =
+        std::make_unique<WholeFraction>(whole_fraction(large_->origin));
   return *large_->whole;
+}
+
+bool plainly_equal(const ExactRatio& a, const ExactRatio& b) {
+  if (a.large_ && b.large_)
+    return a.exponent_ == b.exponent_ &&
+           are_plainly_equal(a.large_->origin, b.large_->origin);
+  return !a.large_ && !b.large_ && compare(a, b) == 0;
 }
 
 int compare(const ExactRatio& a, const ExactRatio& b) {
@@ -185,11 +197,12 @@ int compare(const ExactRatio& a, const ExactRatio& b) {
     return (left > right) - (left < right);
   }
   if (a.large_ && b.large_) {
-    const int by_enclosure = compare(a.large_->enclosure, b.large_->enclosure);
+    const int by_enclosure =
+        compare(a.large_->enclosed(), b.large_->enclosed());
     if (by_enclosure != 0) return by_enclosure;
     // Most fractions that come this far are equal; to see that from the
     // points is far quicker than to compare them.
-    if (ExactRatio::are_equal(*a.large_, *b.large_)) return 0;
+    if (plainly_equal(a, b)) return 0;
   }
   const WholeFraction x = a.whole(), y = b.whole();
   BigInteger left = x.numerator * y.denominator;

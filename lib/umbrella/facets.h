@@ -18,6 +18,8 @@ std::vector<delaunay::Facet> facets(
     const delaunay::Triangulation3& triangulation);
 
 /// Some of them at a time, at most kLargest, in memory that stays in the cache.
+/// A triangle comes with the later of its cells within the hull: then the other
+/// one, which was walked over not long ago, mostly still is in the cache too.
 class FacetBlocks {
  public:
   explicit FacetBlocks(const delaunay::Triangulation3& triangulation)

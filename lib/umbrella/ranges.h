@@ -39,11 +39,11 @@ auto for_ranges(std::size_t n, unsigned threads, const Work& work) {
 }
 
 /// One after another; each is freed once it is copied.
-template <class T>
-std::vector<T> joined(std::vector<std::vector<T>> parts) {
+template <class Array>
+Array joined(std::vector<Array> parts) {
   std::size_t n = 0;
-  for (const std::vector<T>& part : parts) n += part.size();
-  std::vector<T> all = std::move(parts.front());
+  for (const Array& part : parts) n += part.size();
+  Array all = std::move(parts.front());
   all.reserve(n);
   for (std::size_t i = 1; i < parts.size(); ++i) {
     all.insert(all.end(), parts[i].begin(), parts[i].end());

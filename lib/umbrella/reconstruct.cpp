@@ -41,7 +41,7 @@ std::vector<double> lower_lambdas(const Triangulation3& triangulation,
                                   std::span<const RankedTriangle> ranked) {
   std::vector<double> lambda(triangles.size());
   std::vector<std::size_t> unknown;
-  std::vector<delaunay::Facet> facets;  // of these
+  std::vector<FacetPoints> facets;  // of these
   auto next = ranked.begin();
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     const auto& [corners, facet] = triangles[t];
@@ -53,14 +53,15 @@ std::vector<double> lower_lambdas(const Triangulation3& triangulation,
       lambda[t] = std::sqrt(next->squared_lambda);
     } else {
       unknown.push_back(t);
-      facets.push_back(facet);
+      facets.push_back(spheres.points_of(facet));
     }
   }
   std::vector<FacetRadii> radii(facets.size());
   spheres.measure(facets, radii);
   for (std::size_t i = 0; i < facets.size(); ++i)
     lambda[unknown[i]] =
-        std::sqrt(DelaunayTriangle(triangulation, spheres, facets[i], &radii[i])
+        std::sqrt(DelaunayTriangle(triangulation, spheres,
+                                   facets[i].triangle.facet, &radii[i])
                       .squared_lambda_lower());
   return lambda;
 }

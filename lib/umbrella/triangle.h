@@ -3,6 +3,7 @@
 /// them.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -17,6 +18,17 @@ using delaunay::VertexId;
 
 /// Corners in ascending order.
 using Triangle = std::array<VertexId, 3>;
+
+/// Of a facet of a cell within the hull.
+inline Triangle corners(const delaunay::Triangulation3& triangulation,
+                        delaunay::Facet facet) {
+  const auto& vertex = triangulation.cell(facet.cell()).vertex;
+  const auto& [i, j, k] = delaunay::kFacetCorners[facet.index()];
+  const VertexId a = vertex[i], b = vertex[j], c = vertex[k];
+  const VertexId low = std::min(a, b), high = std::max(a, b);
+  return {std::min(low, c), std::max(low, std::min(high, c)),
+          std::max(high, c)};
+}
 
 /// Place of a triangle in the order of a criterion: smaller is better, by
 /// `primary`, then by `secondary`. No NaN.
