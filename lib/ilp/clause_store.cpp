@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 namespace ilp {
 
@@ -25,8 +26,8 @@ ClauseRef ClauseStore::add(std::span<const Literal> literals, Antecedent origin,
                       glue});
   literals_.insert(literals_.end(), literals.begin(), literals.end());
   if (literals.size() >= 2) {
-    watches(literals[0]).push_back({ref, literals[1]});
-    watches(literals[1]).push_back({ref, literals[0]});
+    watch(literals[0], {ref, literals[1]});
+    watch(literals[1], {ref, literals[0]});
   }
   return ref;
 }
@@ -48,13 +49,35 @@ std::vector<ClauseRef> ClauseStore::compact(
   }
   clauses_.resize(n_kept);
   literals_.resize(end);
-  for (std::vector<Watch>& list : watches_) {
-    std::erase_if(list, [&is_garbage](Watch w) {
-      return is_garbage[static_cast<std::size_t>(w.clause)];
-    });
-    for (Watch& w : list) w.clause = moved[static_cast<std::size_t>(w.clause)];
-  }
+  compact_watches(is_garbage, moved);
   return moved;
+}
+
+void ClauseStore::compact_watches(const std::vector<bool>& is_garbage,
+                                  std::span<const ClauseRef> moved) {
+  std::vector<Watch> kept;
+  kept.reserve(watches_.size());
+  for (List& list : lists_) {
+    const std::size_t begin = kept.size();
+    for (std::uint32_t i = 0; i < list.size; ++i) {
+      const auto& [clause, blocker] = watches_[list.begin + i];
+      const auto c = static_cast<std::size_t>(clause);
+      if (!is_garbage[c]) kept.push_back({moved[c], blocker});
+    }
+    const auto size = static_cast<std::uint32_t>(kept.size() - begin);
+    list = {begin, size, size};
+  }
+  watches_ = std::move(kept);
+}
+
+void ClauseStore::make_room(List& list) {
+  constexpr std::uint32_t kFirst = 2;
+  const std::size_t begin = watches_.size();
+  list.capacity = std::max(kFirst, 2 * list.capacity);
+  watches_.resize(begin + list.capacity);
+  std::copy_n(watches_.begin() + static_cast<std::ptrdiff_t>(list.begin),
+              list.size, watches_.begin() + static_cast<std::ptrdiff_t>(begin));
+  list.begin = begin;
 }
 
 }  // namespace ilp

@@ -27,7 +27,7 @@ struct Watch {
 
 class ClauseStore {
  public:
-  explicit ClauseStore(std::size_t n_variables) : watches_(2 * n_variables) {}
+  explicit ClauseStore(std::size_t n_variables) : lists_(2 * n_variables) {}
 
   /// Watches the first two literals, if there are two.
   /// @param glue  the smaller, the more the clause is worth; 0: kept for ever
@@ -44,9 +44,20 @@ class ClauseStore {
   Antecedent origin(ClauseRef c) const { return row(c).origin; }
   std::uint32_t glue(ClauseRef c) const { return row(c).glue; }
 
-  /// Clauses to visit when `literal` turns false.
-  std::vector<Watch>& watches(Literal literal) {
-    return watches_[literal.code()];
+  /// Clauses to visit when `literal` turns false; good until the next watch().
+  std::span<Watch> watches(Literal literal) {
+    const List& list = lists_[literal.code()];
+    return {watches_.data() + list.begin, list.size};
+  }
+  /// Appends to the watches of a literal.
+  void watch(Literal literal, const Watch& w) {
+    List& list = lists_[literal.code()];
+    if (list.size == list.capacity) make_room(list);
+    watches_[list.begin + list.size++] = w;
+  }
+  /// Drops those from the n-th on.
+  void keep_watches(Literal literal, std::size_t n) {
+    lists_[literal.code()].size = static_cast<std::uint32_t>(n);
   }
 
   /// Removes the clauses c with is_garbage[c]; the others keep their order.
@@ -61,13 +72,24 @@ class ClauseStore {
     Antecedent origin;
     std::uint32_t glue;
   };
+  // A stretch of watches_; where it has to grow, it moves to the end.
+  struct List {
+    std::size_t begin = 0;
+    std::uint32_t size = 0;
+    std::uint32_t capacity = 0;
+  };
+  void make_room(List& list);
+  void compact_watches(const std::vector<bool>& is_garbage,
+                       std::span<const ClauseRef> moved);
+
   const Clause& row(ClauseRef c) const {
     return clauses_[static_cast<std::size_t>(c)];
   }
 
   std::vector<Clause> clauses_;
   std::vector<Literal> literals_;
-  std::vector<std::vector<Watch>> watches_;
+  std::vector<List> lists_;  // by literal
+  std::vector<Watch> watches_;
 };
 
 }  // namespace ilp

@@ -27,19 +27,18 @@ bool Clauses::add(std::span<Literal> literals, Antecedent origin,
 }
 
 bool Clauses::propagate(Literal l, Assignment& assignment, Conflict& conflict) {
-  std::vector<Watch>& list = store_.watches(!l);
-  if (list.empty()) return true;
-  auto kept = list.begin();
-  auto watch = list.begin();
+  const std::size_t n = store_.watches(!l).size();
+  std::size_t n_kept = 0;
   Visit visited = Visit::Kept;
-  while (watch != list.end() && visited != Visit::Failed) {
-    visited = assignment.holds(watch->blocker)
-                  ? Visit::Kept
-                  : visit(*watch, !l, assignment, conflict);
-    if (visited != Visit::Moved) *kept++ = *watch;
-    ++watch;
+  for (std::size_t i = 0; i < n; ++i) {
+    Watch watch = store_.watches(!l)[i];
+    if (visited != Visit::Failed)
+      visited = assignment.holds(watch.blocker)
+                    ? Visit::Kept
+                    : visit(watch, !l, assignment, conflict);
+    if (visited != Visit::Moved) store_.watches(!l)[n_kept++] = watch;
   }
-  list.erase(kept, watch);
+  if (n_kept < n) store_.keep_watches(!l, n_kept);
   return visited != Visit::Failed;
 }
 
@@ -53,7 +52,7 @@ Clauses::Visit Clauses::visit(Watch& watch, Literal failing,
   for (std::size_t k = 2; k < literals.size(); ++k) {
     if (assignment.holds(!literals[k])) continue;
     std::swap(literals[1], literals[k]);
-    store_.watches(literals[1]).push_back(watch);
+    store_.watch(literals[1], watch);
     return Visit::Moved;
   }
   if (!assignment.is_open(literals[0].var())) {

@@ -61,7 +61,10 @@ class Linker {
 
   // For each node the first pair with the same sum. @return false: one has none
   bool guess_pairs(std::span<const Spoke> spokes) {
-    nodes_.assign(2 * spokes.size(), {});
+    std::uint32_t n_nodes = 0;
+    for (const Spoke& s : spokes)
+      n_nodes = std::max({n_nodes, s.a + 1, s.b + 1});
+    nodes_.assign(n_nodes, {});
     for (const Spoke& s : spokes) {
       nodes_[s.a].sum.add(s.var);
       nodes_[s.a].any = s.var;

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <limits>
 #include <optional>
 #include <thread>
 
@@ -50,6 +51,8 @@ class Closing {
     std::size_t n_regions = 1;     // with those swallowed
     Effort effort = {};
     bool has_hit_limit = false;
+    // Of the smallest program that has hit a limit.
+    std::size_t undecided = std::numeric_limits<std::size_t>::max();
   };
 
   void solve_as_given(std::vector<Region> regions);
@@ -135,13 +138,8 @@ void Closing::solve_as_given(std::vector<Region> regions) {
       accept(attempt);
       ++report.feasible;
     } else {
-      tasks_.push_back({std::move(regions[i]),
-                        std::move(attempt),
-                        {},
-                        {},
-                        1,
-                        efforts[i],
-                        false});
+      tasks_.push_back(
+          {std::move(regions[i]), std::move(attempt), {}, {}, 1, efforts[i]});
       note(tasks_.back(), tasks_.back().region);
     }
   }
@@ -235,7 +233,9 @@ bool Closing::attempt(Task& task, Region& region, bool accept_drops) {
     return false;
   }
   swallow(task, region);
-  if (!accept_drops && solver_.n_candidates(region) == task.last.n_candidates)
+  const std::size_t n_candidates = solver_.n_candidates(region);
+  if (n_candidates >= task.undecided ||
+      (!accept_drops && n_candidates == task.last.n_candidates))
     return false;
   task.last = solver_.attempt(
       region, task.effort,
@@ -249,7 +249,10 @@ bool Closing::attempt(Task& task, Region& region, bool accept_drops) {
 }
 
 void Closing::note(Task& task, const Region& region) const {
-  if (task.last.outcome == Outcome::Undecided) task.has_hit_limit = true;
+  if (task.last.outcome == Outcome::Undecided) {
+    task.has_hit_limit = true;
+    task.undecided = std::min(task.undecided, task.last.n_candidates);
+  }
   task.stuck = united(task.stuck, task.last.stuck);
   if (task.last.outcome == Outcome::Banned && !task.banned)
     task.banned = Banned{region, task.last, task.n_regions};

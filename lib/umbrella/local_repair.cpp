@@ -105,9 +105,9 @@ class Repair {
         is_open_(triangulation.points().size()),
         groups_(triangulation, triangles),
         solver_(triangulation, local_options_, surface_, is_open_, groups_),
-        effort_{options.conflicts / 3,
-                options.propagations + options.propagations_per_vertex *
-                                           triangulation.points().size()},
+        effort_{2 * (options.conflicts / 3),
+                2 * (options.propagations + options.propagations_per_vertex *
+                                                triangulation.points().size())},
         is_changed_(triangulation.points().size()),
         census_(std::move(census)),
         n_components_(census_.n_components()) {}
@@ -230,9 +230,8 @@ bool Repair::remove_handle_at(const Vertices& loop) {
 /// Takes the surface that solves the region's program, if it has one.
 bool Repair::attempt(const Region& region, const AttemptOptions& how,
                      std::size_t most_components) {
-  const Effort before = {
-      std::min(effort_.conflicts, options_.conflicts / 60),
-      std::min(effort_.propagations, options_.propagations / 2)};
+  const Effort before = {std::min(effort_.conflicts, options_.conflicts / 30),
+                         std::min(effort_.propagations, options_.propagations)};
   Effort effort = before;
   const Attempt attempt = solver_.attempt(region, effort, how);
   effort_.charge(before.conflicts - effort.conflicts,
