@@ -122,11 +122,14 @@ void one_region(benchmark::State& state) {
   count_points(state);
 }
 
+std::vector<umbrella::LocatedTriangle> closed(const Stages& s) {
+  return umbrella::close_holes(s.triangulation, s.clean.triangles, s.holes)
+      .triangles;
+}
+
 void orientation(benchmark::State& state, const char* shape) {
   const Stages s(shape, state.range(0));
-  std::vector<umbrella::LocatedTriangle> triangles;
-  for (const auto& t : s.clean.triangles)
-    triangles.push_back({t.corners, t.facet});
+  const auto triangles = closed(s);
   for (auto _ : state)
     benchmark::DoNotOptimize(
         umbrella::orient(s.triangulation.points(), triangles));
@@ -135,16 +138,10 @@ void orientation(benchmark::State& state, const char* shape) {
 
 void certificate(benchmark::State& state, const char* shape) {
   const Stages s(shape, state.range(0));
-  std::vector<umbrella::IndexedTriangle> rows;
-  for (const umbrella::RankedTriangle& triangle : s.clean.triangles) {
-    const auto& [a, b, c] = triangle.corners;
-    rows.push_back({static_cast<std::uint32_t>(a),
-                    static_cast<std::uint32_t>(b),
-                    static_cast<std::uint32_t>(c)});
-  }
+  const auto surface = umbrella::orient(s.triangulation.points(), closed(s));
   for (auto _ : state)
     benchmark::DoNotOptimize(
-        umbrella::check_surface(s.triangulation.points(), rows));
+        umbrella::check_surface(s.triangulation.points(), surface.triangles));
   count_points(state);
 }
 
