@@ -122,28 +122,26 @@ void one_region(benchmark::State& state) {
   count_points(state);
 }
 
+std::vector<umbrella::LocatedTriangle> closed(const Stages& s) {
+  return umbrella::close_holes(s.triangulation, s.clean.triangles, s.holes)
+      .triangles;
+}
+
 void orientation(benchmark::State& state, const char* shape) {
   const Stages s(shape, state.range(0));
-  std::vector<umbrella::Triangle> corners;
-  for (const auto& t : s.clean.triangles) corners.push_back(t.corners);
+  const auto triangles = closed(s);
   for (auto _ : state)
     benchmark::DoNotOptimize(
-        umbrella::orient(s.triangulation.points(), corners));
+        umbrella::orient(s.triangulation.points(), triangles));
   count_points(state);
 }
 
 void certificate(benchmark::State& state, const char* shape) {
   const Stages s(shape, state.range(0));
-  std::vector<umbrella::IndexedTriangle> rows;
-  for (const umbrella::RankedTriangle& triangle : s.clean.triangles) {
-    const auto& [a, b, c] = triangle.corners;
-    rows.push_back({static_cast<std::uint32_t>(a),
-                    static_cast<std::uint32_t>(b),
-                    static_cast<std::uint32_t>(c)});
-  }
+  const auto surface = umbrella::orient(s.triangulation.points(), closed(s));
   for (auto _ : state)
     benchmark::DoNotOptimize(
-        umbrella::check_surface(s.triangulation.points(), rows));
+        umbrella::check_surface(s.triangulation.points(), surface.triangles));
   count_points(state);
 }
 

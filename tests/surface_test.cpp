@@ -25,12 +25,9 @@ std::vector<Triangle> forget(const IndexedMesh& mesh) {
   return triangles;
 }
 
-IndexedMesh oriented(const IndexedMesh& mesh, const OrientedSurface& surface) {
-  IndexedMesh result{mesh.vertices, {}};
-  for (const auto& [a, b, c] : surface.triangles)
-    result.triangles.push_back({static_cast<std::uint32_t>(a),
-                                static_cast<std::uint32_t>(b),
-                                static_cast<std::uint32_t>(c)});
+std::vector<LocatedTriangle> located(const std::vector<Triangle>& triangles) {
+  std::vector<LocatedTriangle> result;
+  for (const Triangle& t : triangles) result.push_back({t, {}});
   return result;
 }
 
@@ -58,10 +55,10 @@ TEST(Orient, TurnsClosedSurfacesOutward) {
     std::shuffle(shuffled.triangles.begin(), shuffled.triangles.end(), rng);
 
     const auto triangles = forget(shuffled);
-    const auto surface = orient(shuffled.vertices, triangles);
+    const auto surface = orient(shuffled.vertices, located(triangles));
     EXPECT_TRUE(surface.is_closed);
     EXPECT_EQ(surface.n_components, 2U);
-    const auto result = oriented(shuffled, surface);
+    const IndexedMesh result{shuffled.vertices, surface.triangles};
     EXPECT_EQ(forget(result), triangles);
     EXPECT_TRUE(check_surface(result.vertices, result.triangles).outward);
     for (const OrientedTriangle& t : surface.triangles)
@@ -86,8 +83,8 @@ TEST(Orient, DoesNotDependOnTheOrderOfTheTriangles) {
     const auto in_order = sorted(forget(mesh));
     auto shuffled = in_order;
     std::shuffle(shuffled.begin(), shuffled.end(), rng);
-    const auto swept = orient(mesh.vertices, in_order);
-    auto walked = orient(mesh.vertices, shuffled);
+    const auto swept = orient(mesh.vertices, located(in_order));
+    auto walked = orient(mesh.vertices, located(shuffled));
     std::sort(walked.triangles.begin(), walked.triangles.end(),
               [](OrientedTriangle a, OrientedTriangle b) {
                 std::sort(a.begin(), a.end());
@@ -106,7 +103,7 @@ TEST(SweepClosed, TurnsNeighborsAlikeWhateverTheNumbersOfTheVertices) {
     SCOPED_TRACE(testing::Message() << "trial " << trial);
     const IndexedMesh mesh = renumbered(tests::torus(5, 3 + trial % 9), rng);
     const auto triangles = sorted(forget(mesh));
-    const auto turned = sweep_closed(mesh.vertices.size(), triangles);
+    const auto turned = sweep_closed(mesh.vertices.size(), located(triangles));
     ASSERT_TRUE(turned.has_value());
     EXPECT_EQ(turned->n_components(), 1U);
     EXPECT_FALSE(turned->is_turned(0));
@@ -134,7 +131,7 @@ TEST(SweepClosed, CountsComponentsByEdges) {
   };
   auto triangles = tetrahedron({0, 1, 2, 3});
   for (const Triangle& t : tetrahedron({3, 4, 5, 6})) triangles.push_back(t);
-  const auto turned = sweep_closed(7, sorted(triangles));
+  const auto turned = sweep_closed(7, located(sorted(triangles)));
   ASSERT_TRUE(turned.has_value());
   EXPECT_EQ(turned->n_components(), 2U);
   EXPECT_EQ(turned->component(0), 0U);
@@ -144,12 +141,12 @@ TEST(SweepClosed, CountsComponentsByEdges) {
 TEST(SweepClosed, RefusesWhatIsNotClosed) {
   const auto torus = sorted(forget(tests::torus(5, 6)));
   const std::size_t n = 30;
-  ASSERT_TRUE(sweep_closed(n, torus).has_value());
+  ASSERT_TRUE(sweep_closed(n, located(torus)).has_value());
   for (std::size_t t = 0; t < torus.size(); ++t) {
     SCOPED_TRACE(testing::Message() << "without triangle " << t);
     auto open = torus;
     open.erase(open.begin() + static_cast<std::ptrdiff_t>(t));
-    EXPECT_FALSE(sweep_closed(n, open).has_value());
+    EXPECT_FALSE(sweep_closed(n, located(open)).has_value());
   }
   // Two more at the edge from 0 to 1, with four at it.
   auto pinched = torus;
@@ -159,24 +156,27 @@ TEST(SweepClosed, RefusesWhatIsNotClosed) {
         Triangle{VertexId{0}, VertexId{n}, VertexId{n + 1}},
         Triangle{VertexId{1}, VertexId{n}, VertexId{n + 1}}})
     pinched.push_back(t);
-  EXPECT_FALSE(sweep_closed(n + 2, sorted(pinched)).has_value());
-  EXPECT_FALSE(orient(std::vector<Point3>(n + 2), sorted(pinched)).is_closed);
+  EXPECT_FALSE(sweep_closed(n + 2, located(sorted(pinched))).has_value());
+  EXPECT_FALSE(
+      orient(std::vector<Point3>(n + 2), located(sorted(pinched))).is_closed);
 }
 
 TEST(SweepClosed, RefusesWhatCannotBeTurnedAlikeOrIsNotInOrder) {
   const auto plane = sorted(forget(tests::projective_plane()));
-  EXPECT_FALSE(sweep_closed(tests::projective_plane().vertices.size(), plane));
+  EXPECT_FALSE(
+      sweep_closed(tests::projective_plane().vertices.size(), located(plane)));
   auto torus = sorted(forget(tests::torus(5, 6)));
   std::swap(torus.front(), torus.back());
-  EXPECT_FALSE(sweep_closed(30, torus).has_value());
+  EXPECT_FALSE(sweep_closed(30, located(torus)).has_value());
 }
 
 TEST(Orient, TurnsHugeAndTinySurfacesOutward) {
   for (const double size : {1e300, 1e-300}) {
     IndexedMesh mesh = tests::tetrahedron();
     for (auto& p : mesh.vertices) p *= size;
-    const auto surface = orient(mesh.vertices, forget(mesh));
-    const auto unit = orient(tests::tetrahedron().vertices, forget(mesh));
+    const auto surface = orient(mesh.vertices, located(forget(mesh)));
+    const auto unit =
+        orient(tests::tetrahedron().vertices, located(forget(mesh)));
     EXPECT_EQ(surface.triangles, unit.triangles);
   }
 }
@@ -206,15 +206,15 @@ TEST(Orient, LeavesWhatHasNoVolumeAsItsFirstTriangleIs) {
 TEST(Orient, TurnsOpenSurfacesAlike) {
   IndexedMesh mesh = tests::torus(6, 6);
   mesh.triangles.resize(40);
-  const auto surface = orient(mesh.vertices, forget(mesh));
+  const auto surface = orient(mesh.vertices, located(forget(mesh)));
   EXPECT_FALSE(surface.is_closed);
-  const auto result = oriented(mesh, surface);
+  const IndexedMesh result{mesh.vertices, surface.triangles};
   EXPECT_TRUE(check_surface(result.vertices, result.triangles).oriented);
 }
 
 TEST(Orient, SaysWhereThereIsNoOrientation) {
   const IndexedMesh mesh = tests::projective_plane();
-  EXPECT_FALSE(orient(mesh.vertices, forget(mesh)).is_closed);
+  EXPECT_FALSE(orient(mesh.vertices, located(forget(mesh))).is_closed);
   EXPECT_FALSE(orient({}, {}).is_closed);
 }
 
@@ -228,7 +228,7 @@ TEST(Orient, ManagesAVertexOfVeryHighDegree) {
     mesh.triangles.push_back({0, p, q});
     mesh.triangles.push_back({1, q, p});
   }
-  EXPECT_TRUE(orient(mesh.vertices, forget(mesh)).is_closed);
+  EXPECT_TRUE(orient(mesh.vertices, located(forget(mesh))).is_closed);
 }
 
 }  // namespace

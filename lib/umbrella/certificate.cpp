@@ -1,8 +1,8 @@
 // A mesh is judged star by star. Most are sound, which a walk around each
-// vertex shows. If not, the edges at a vertex, sorted by their other end, tell
-// how many triangles lie on each and how the triangles follow one another
-// around the vertex. Degenerate and repeated triangles are counted, and take
-// part in all the rest as they are.
+// vertex shows; then what shares a vertex shares an edge. If not, the edges at
+// a vertex, sorted by their other end, tell how many triangles lie on each and
+// how the triangles follow one another around the vertex. Degenerate and
+// repeated triangles are counted, and take part in all the rest as they are.
 #include "umbrella/certificate.h"
 
 #include <Eigen/Geometry>
@@ -10,60 +10,13 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <stdexcept>
-#include <string>
+
+#include "umbrella/certificate_internal.h"
 
 namespace umbrella {
 namespace {
 
-class Components {
- public:
-  explicit Components(std::size_t n) : parent_(n) {
-    std::iota(parent_.begin(), parent_.end(), std::uint32_t{0});
-  }
-  std::uint32_t root(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::uint32_t i, std::uint32_t k) { parent_[root(i)] = root(k); }
-  /// The same, quicker where it is known to be joined.
-  /// @param k  a root, and one afterwards
-  void join_root(std::uint32_t i, std::uint32_t k) {
-    if (parent_[i] != k) parent_[root(i)] = k;
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
-
-template <std::size_t kCorners>
-void require_rows(
-    std::span<const std::array<std::uint32_t, kCorners>> simplices,
-    std::size_t n_vertices) {
-  for (std::size_t i = 0; i < simplices.size(); ++i)
-    for (const std::uint32_t row : simplices[i])
-      if (row >= n_vertices)
-        throw std::invalid_argument("simplex " + std::to_string(i) +
-                                    " names vertex " + std::to_string(row) +
-                                    " of " + std::to_string(n_vertices));
-}
-
-/// How many items equal an earlier one. Sorts them.
-template <class Item>
-std::size_t count_repeated(std::vector<Item>& items) {
-  std::sort(items.begin(), items.end());
-  std::size_t n = 0;
-  for (std::size_t i = 1; i < items.size(); ++i)
-    n += items[i] == items[i - 1] ? 1 : 0;
-  return n;
-}
-
-std::vector<std::uint32_t> rows_without(const std::vector<bool>& is_used) {
-  std::vector<std::uint32_t> rows;
-  for (std::uint32_t v = 0; v < is_used.size(); ++v)
-    if (!is_used[v]) rows.push_back(v);
-  return rows;
-}
+using certificate::Components;
 
 /// A side of a triangle that ends at the vertex looked at.
 class Spoke {
@@ -248,7 +201,7 @@ class StarJudge {
       std::sort(t.begin(), t.end());
       others_.push_back({t[1], t[2]});
     }
-    return count_repeated(others_);
+    return certificate::count_repeated(others_);
   }
 
   static constexpr std::uint32_t kNone =
@@ -267,12 +220,26 @@ class StarJudge {
 /// manifold and oriented without a look at its edges.
 class UmbrellaCheck {
  public:
-  UmbrellaCheck(const Stars& stars, std::span<const IndexedTriangle> triangles)
-      : stars_(stars), triangles_(triangles), links_(stars.n_vertices()) {}
+  UmbrellaCheck(std::size_t n_vertices,
+                std::span<const IndexedTriangle> triangles)
+      : first_(n_vertices + 1), sides_(3 * triangles.size()) {
+    for (const IndexedTriangle& t : triangles)
+      for (const std::uint32_t v : t) ++first_[v];
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    for (const auto& [a, b, c] : triangles) {
+      sides_[--first_[a]] = {b, c};
+      sides_[--first_[b]] = {c, a};
+      sides_[--first_[c]] = {a, b};
+    }
+  }
 
-  bool operator()() {
-    for (std::uint32_t v = 0; v < stars_.n_vertices(); ++v)
-      if (!stars_.corners_at(v).empty() && !is_umbrella(v)) return false;
+  std::size_t n_vertices() const { return first_.size() - 1; }
+  bool is_used(std::uint32_t v) const { return first_[v] < first_[v + 1]; }
+
+  bool operator()() const {
+    std::vector<Link> links(first_.size() - 1);
+    for (std::uint32_t v = 0; v < links.size(); ++v)
+      if (is_used(v) && !is_umbrella(v, links)) return false;
     return true;
   }
 
@@ -283,115 +250,151 @@ class UmbrellaCheck {
     std::uint32_t next = 0;
   };
 
-  bool is_umbrella(std::uint32_t v) {
+  /// @param links  by neighbour
+  bool is_umbrella(std::uint32_t v, std::vector<Link>& links) const {
     constexpr std::size_t kLeast = 3;
-    const auto corners = stars_.corners_at(v);
-    std::uint32_t start = v;
-    for (const std::uint32_t c : corners) {
-      const IndexedTriangle& t = triangles_[c / 3];
-      const std::uint32_t i = c % 3;
-      start = t[i == 2 ? 0 : i + 1];
-      if (start == v || links_[start].center == v) return false;
-      links_[start] = {v, t[i == 0 ? 2 : i - 1]};
+    const auto sides =
+        std::span(sides_).subspan(first_[v], first_[v + 1] - first_[v]);
+    for (const auto& [from, to] : sides) {
+      if (from == v || links[from].center == v) return false;
+      links[from] = {v, to};
     }
     // No two triangles leave towards one neighbour: back at the start after
     // all of them, the walk has met each once.
+    const std::uint32_t start = sides.front()[0];
     std::uint32_t w = start;
-    for (std::size_t n = 1; n <= corners.size(); ++n) {
-      w = links_[w].next;
-      if (links_[w].center != v) return false;
-      if (w == start) return n == corners.size() && n >= kLeast;
+    for (std::size_t n = 1; n <= sides.size(); ++n) {
+      w = links[w].next;
+      if (links[w].center != v) return false;
+      if (w == start) return n == sides.size() && n >= kLeast;
     }
     return false;
   }
 
-  const Stars& stars_;
-  std::span<const IndexedTriangle> triangles_;
-  std::vector<Link> links_;  // by neighbour
+  std::vector<std::uint32_t> first_;  // of a vertex: its part of sides_
+  std::vector<IndexedEdge> sides_;    // opposite the vertex
 };
 
-/// What judge_all() finds where the UmbrellaCheck passes.
-/// @return the number of edges
-std::size_t judge_sound(const Stars& stars, std::size_t n_triangles,
-                        SurfaceReport& report, Components& components) {
-  for (std::uint32_t v = 0; v < stars.n_vertices(); ++v) {
-    const auto corners = stars.corners_at(v);
-    if (corners.empty()) {
-      report.unused_vertices.push_back(v);
-      continue;
-    }
-    const std::uint32_t first = components.root(corners.front() / 3);
-    for (const std::uint32_t c : corners) components.join_root(c / 3, first);
+/// Of each triangle: its component, counted from 0.
+///
+/// @param root  of each triangle: the same for all of a component, and less
+/// than
+///   n_roots
+template <class Root>
+std::vector<std::uint32_t> name_components(std::size_t n_triangles,
+                                           std::size_t n_roots, Root root,
+                                           SurfaceReport& report) {
+  constexpr auto kNone = std::numeric_limits<std::uint32_t>::max();
+  std::vector<std::uint32_t> name(n_roots, kNone), result(n_triangles);
+  for (std::uint32_t t = 0; t < n_triangles; ++t) {
+    std::uint32_t& known = name[root(t)];
+    if (known == kNone) known = static_cast<std::uint32_t>(report.components++);
+    result[t] = known;
   }
-  report.oriented = report.orientable = true;
-  return 3 * n_triangles / 2;
+  return result;
 }
 
-/// @return the number of edges
-std::size_t judge_all(const Stars& stars,
-                      std::span<const IndexedTriangle> triangles,
-                      SurfaceReport& report, Components& components) {
+/// Of each vertex: where a way down from row to row ends that goes to the
+/// lowest one by some triangle each time. Most vertices of a component share an
+/// end, so few are left to be joined.
+std::vector<std::uint32_t> valley_bottoms(
+    std::size_t n_vertices, std::span<const IndexedTriangle> triangles) {
+  std::vector<std::uint32_t> down(n_vertices);
+  std::iota(down.begin(), down.end(), std::uint32_t{0});
+  for (const auto& [a, b, c] : triangles) {
+    const std::uint32_t lowest = std::min(a, std::min(b, c));
+    for (const std::uint32_t v : {a, b, c}) down[v] = std::min(down[v], lowest);
+  }
+  for (std::uint32_t& next : down) next = down[next];
+  return down;
+}
+
+/// What judge_all() finds where the UmbrellaCheck passes: of `euler` the edges.
+/// @return of each triangle: its component
+std::vector<std::uint32_t> judge_sound(
+    const UmbrellaCheck& check, std::span<const IndexedTriangle> triangles,
+    SurfaceReport& report) {
+  Components valleys(check.n_vertices());
+  const std::vector<std::uint32_t> bottom =
+      valley_bottoms(check.n_vertices(), triangles);
+  for (const auto& [a, b, c] : triangles) {
+    valleys.join(bottom[a], bottom[b]);
+    valleys.join(bottom[a], bottom[c]);
+  }
+  for (std::uint32_t v = 0; v < check.n_vertices(); ++v)
+    if (!check.is_used(v)) report.unused_vertices.push_back(v);
+  report.oriented = report.orientable = true;
+  report.euler = -static_cast<std::int64_t>(3 * triangles.size() / 2);
+  return name_components(
+      triangles.size(), check.n_vertices(),
+      [&](std::uint32_t t) { return valleys.root(bottom[triangles[t][0]]); },
+      report);
+}
+
+/// All counts, of `euler` the edges, and the orientation.
+/// @return of each triangle: its component
+std::vector<std::uint32_t> judge_all(std::size_t n_vertices,
+                                     std::span<const IndexedTriangle> triangles,
+                                     SurfaceReport& report) {
+  const Stars stars(n_vertices, triangles);
+  Components components(triangles.size());
   report.oriented = true;
   StarJudge judge(triangles, report, components);
   stars.for_each([&](const Star& star) { judge(star); });
   report.orientable =
       report.oriented || can_be_oriented(triangles.size(), stars);
-  return judge.n_edges();
-}
-
-/// All counts, and the orientation.
-void judge_stars(const Stars& stars, std::span<const IndexedTriangle> triangles,
-                 SurfaceReport& report, Components& components) {
-  const std::size_t n_edges =
-      UmbrellaCheck(stars, triangles)()
-          ? judge_sound(stars, triangles.size(), report, components)
-          : judge_all(stars, triangles, report, components);
-  for (std::uint32_t t = 0; t < triangles.size(); ++t)
-    report.components += components.root(t) == t ? 1 : 0;
-  report.vertices = stars.n_vertices() - report.unused_vertices.size();
-  report.euler = static_cast<std::int64_t>(report.vertices) -
-                 static_cast<std::int64_t>(n_edges) +
-                 static_cast<std::int64_t>(triangles.size());
+  report.euler = -static_cast<std::int64_t>(judge.n_edges());
+  return name_components(
+      triangles.size(), triangles.size(),
+      [&](std::uint32_t t) { return components.root(t); }, report);
 }
 
 /// The exponent of a power of two that brings the largest coordinate so near 1
 /// that its square and cube neither overflow nor vanish.
+///
+/// @param unused  rows that do not count, ascending
 int scaling_exponent(std::span<const Eigen::Vector3d> vertices,
-                     std::span<const IndexedTriangle> triangles) {
+                     std::span<const std::uint32_t> unused) {
   double largest = 0;
-  for (const IndexedTriangle& t : triangles)
-    for (const std::uint32_t v : t)
+  auto next = unused.begin();
+  for (std::uint32_t v = 0; v < vertices.size(); ++v)
+    if (next != unused.end() && *next == v)
+      ++next;
+    else
       largest = std::max(largest, vertices[v].lpNorm<Eigen::Infinity>());
   return largest > 0 ? std::clamp(-std::ilogb(largest), -1000, 1000) : 0;
 }
 
 /// Area, volume, and whether each component's volume is positive.
+/// @param component  of each triangle
 void measure(std::span<const Eigen::Vector3d> vertices,
-             std::span<const IndexedTriangle> triangles, SurfaceReport& report,
-             Components& components) {
-  const int exponent = scaling_exponent(vertices, triangles);
-  const double scale = std::ldexp(1, exponent);
-  const auto at = [&](std::uint32_t v) -> Eigen::Vector3d {
-    return scale * vertices[v];
+             std::span<const IndexedTriangle> triangles,
+             std::span<const std::uint32_t> component, SurfaceReport& report) {
+  struct Part {
+    std::optional<Eigen::Vector3d> origin;  // its own, so that little cancels
+    double volume = 0;
   };
-  std::vector<double> volume(triangles.size());
+  const int exponent = scaling_exponent(vertices, report.unused_vertices);
+  const double scale = std::ldexp(1, exponent);
+  std::vector<Part> parts(report.components);
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-    const std::uint32_t component = components.root(t);
-    // Seen from a point of the component, so that little cancels.
-    const Eigen::Vector3d origin = at(triangles[component][0]);
-    const Eigen::Vector3d a = at(triangles[t][0]) - origin;
-    const Eigen::Vector3d b = at(triangles[t][1]) - origin;
-    const Eigen::Vector3d c = at(triangles[t][2]) - origin;
+    auto& [origin, volume] = parts[component[t]];
+    const auto corner = [&](std::size_t i) -> Eigen::Vector3d {
+      return scale * vertices[triangles[t][i]];
+    };
+    if (!origin) origin = corner(0);
+    const Eigen::Vector3d a = corner(0) - *origin;
+    const Eigen::Vector3d b = corner(1) - *origin;
+    const Eigen::Vector3d c = corner(2) - *origin;
     report.area += (b - a).cross(c - a).norm() / 2;
-    volume[component] += a.dot(b.cross(c)) / 6;
+    volume += a.dot(b.cross(c)) / 6;
   }
   report.area = std::ldexp(report.area, -2 * exponent);
   if (!report.closed || !report.oriented) return;
   report.outward = true;
-  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-    if (components.root(t) != t) continue;
-    report.volume += volume[t];
-    report.outward = report.outward && volume[t] > 0;
+  for (const Part& part : parts) {
+    report.volume += part.volume;
+    report.outward = report.outward && part.volume > 0;
   }
   report.volume = std::ldexp(report.volume, -3 * exponent);
 }
@@ -400,14 +403,19 @@ void measure(std::span<const Eigen::Vector3d> vertices,
 
 SurfaceReport check_surface(std::span<const Eigen::Vector3d> vertices,
                             std::span<const IndexedTriangle> triangles) {
-  require_rows(triangles, vertices.size());
+  certificate::require_rows(triangles, vertices.size());
   SurfaceReport report;
   report.triangles = triangles.size();
   for (const auto& [a, b, c] : triangles)
     report.degenerate_triangles += a == b || b == c || c == a ? 1 : 0;
 
-  Components components(triangles.size());
-  judge_stars(Stars(vertices.size(), triangles), triangles, report, components);
+  const UmbrellaCheck check(vertices.size(), triangles);
+  const std::vector<std::uint32_t> component =
+      check() ? judge_sound(check, triangles, report)
+              : judge_all(vertices.size(), triangles, report);
+  report.vertices = vertices.size() - report.unused_vertices.size();
+  report.euler += static_cast<std::int64_t>(report.vertices) +
+                  static_cast<std::int64_t>(triangles.size());
   report.closed = !triangles.empty() && report.boundary_edges == 0 &&
                   report.nonmanifold_edges == 0 &&
                   report.degenerate_triangles == 0;
@@ -417,43 +425,7 @@ SurfaceReport check_surface(std::span<const Eigen::Vector3d> vertices,
   if (report.closed && report.manifold && report.orientable)
     report.genus =
         static_cast<std::int64_t>(report.components) - report.euler / 2;
-  measure(vertices, triangles, report, components);
-  return report;
-}
-
-CurveReport check_curve(std::size_t n_vertices,
-                        std::span<const IndexedEdge> edges) {
-  require_rows(edges, n_vertices);
-  CurveReport report;
-  report.edges = edges.size();
-  std::vector<std::size_t> degree(n_vertices);
-  Components components(n_vertices);
-  for (const auto& [a, b] : edges) {
-    report.degenerate_edges += a == b ? 1 : 0;
-    ++degree[a];
-    ++degree[b];
-    components.join(a, b);
-  }
-  std::vector<IndexedEdge> upward(edges.begin(), edges.end());
-  for (IndexedEdge& e : upward) std::sort(e.begin(), e.end());
-  report.duplicate_edges = count_repeated(upward);
-
-  std::vector<bool> is_used(n_vertices), is_counted(n_vertices);
-  for (std::uint32_t v = 0; v < n_vertices; ++v) {
-    if (degree[v] == 0) continue;
-    is_used[v] = true;
-    report.ends += degree[v] == 1 ? 1 : 0;
-    report.branchings += degree[v] > 2 ? 1 : 0;
-    const std::uint32_t component = components.root(v);
-    report.components += is_counted[component] ? 0 : 1;
-    is_counted[component] = true;
-  }
-  report.unused_vertices = rows_without(is_used);
-  report.vertices = n_vertices - report.unused_vertices.size();
-  report.manifold = report.branchings == 0 && report.degenerate_edges == 0 &&
-                    report.duplicate_edges == 0;
-  report.closed = !edges.empty() && report.ends == 0 &&
-                  report.branchings == 0 && report.degenerate_edges == 0;
+  measure(vertices, triangles, component, report);
   return report;
 }
 

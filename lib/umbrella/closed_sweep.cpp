@@ -16,7 +16,7 @@ constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 class Sweep {
  public:
-  Sweep(std::size_t n_vertices, std::span<const Triangle> triangles)
+  Sweep(std::size_t n_vertices, std::span<const LocatedTriangle> triangles)
       : triangles_(triangles),
         labels_(triangles.size(), kNone),
         first_back_(n_vertices, kNone),
@@ -31,27 +31,24 @@ class Sweep {
  private:
   /// From the vertex at hand up to another one.
   struct Edge {
-    VertexId low = delaunay::kInfinite;
-    bool is_met_twice = false;
-    TriangleIndex both = 0;  // exclusive or of the two
+    std::uint32_t state = kNone;  // 2 v, with two triangles 2 v + 1
+    TriangleIndex both = 0;       // exclusive or of these
   };
 
   bool visit(VertexId v, TriangleIndex begin, TriangleIndex end);
   bool find_edges(VertexId v, TriangleIndex begin, TriangleIndex end);
-  bool pass_on(VertexId v, TriangleIndex t);
+  bool pass_on(VertexId v, TriangleIndex t, bool runs_up);
   bool relate(TriangleIndex t, std::uint32_t label);
   template <class Visit>
   void for_each_back(VertexId v, Visit visit) const {
     for (TriangleIndex t = first_back_[index(v)]; t != kNone; t = next_back_[t])
       visit(t);
   }
-  /// Whether t, as it is, runs up along its edge from v to `high`.
-  bool runs_up(TriangleIndex t, VertexId v, VertexId high) const {
-    const auto& [a, b, c] = triangles_[t];
-    return a != v || b == high;
+  const Triangle& corners(TriangleIndex t) const {
+    return triangles_[t].corners;
   }
 
-  std::span<const Triangle> triangles_;
+  std::span<const LocatedTriangle> triangles_;
   std::vector<std::uint32_t> labels_;  // 2 patch, if turned 2 patch + 1
   // Lists of the triangles with the same middle corner.
   std::vector<TriangleIndex> first_back_, next_back_;
@@ -63,8 +60,7 @@ bool Sweep::run() {
   TriangleIndex next = 0;
   for (std::uint32_t v = 0; v < first_back_.size(); ++v) {
     const TriangleIndex begin = next;
-    while (next < triangles_.size() && triangles_[next][0] == VertexId{v})
-      ++next;
+    while (next < triangles_.size() && corners(next)[0] == VertexId{v}) ++next;
     if (!visit(VertexId{v}, begin, next)) return false;
   }
   return next == triangles_.size();
@@ -74,33 +70,32 @@ bool Sweep::run() {
 bool Sweep::visit(VertexId v, TriangleIndex begin, TriangleIndex end) {
   if (!find_edges(v, begin, end)) return false;
   bool agrees = true;
-  for_each_back(v, [&](TriangleIndex t) { agrees = pass_on(v, t) && agrees; });
+  for_each_back(
+      v, [&](TriangleIndex t) { agrees = pass_on(v, t, true) && agrees; });
   for (TriangleIndex t = begin; t < end; ++t) {
     if (labels_[t] != kNone) continue;
     labels_[t] = 2 * patches_.add();
-    agrees = pass_on(v, t) && agrees;
+    agrees = pass_on(v, t, false) && agrees;
   }
   return agrees;
 }
 
 /// Those up from v. @return whether each has two triangles
 bool Sweep::find_edges(VertexId v, TriangleIndex begin, TriangleIndex end) {
-  std::size_t n_with_one = 0;
+  const auto with_one = static_cast<std::uint32_t>(2 * index(v));
+  std::ptrdiff_t n_with_one = 0;
   bool has_more = false;
+  // No processor can guess which triangle is the first at its edge.
   const auto meet = [&](VertexId high, TriangleIndex t) {
     Edge& edge = edge_to_[index(high)];
-    if (edge.low != v) {
-      edge = {v, false, t};
-      ++n_with_one;
-      return;
-    }
-    has_more = has_more || edge.is_met_twice;
-    edge = {v, true, edge.both ^ t};
-    --n_with_one;
+    const bool is_second = edge.state == with_one;
+    has_more |= edge.state == with_one + 1;
+    edge = {with_one + (is_second ? 1 : 0), (is_second ? edge.both : 0) ^ t};
+    n_with_one += is_second ? -1 : 1;
   };
-  for_each_back(v, [&](TriangleIndex t) { meet(triangles_[t][2], t); });
+  for_each_back(v, [&](TriangleIndex t) { meet(corners(t)[2], t); });
   for (TriangleIndex t = begin; t < end; ++t) {
-    const auto& [a, b, c] = triangles_[t];
+    const auto& [a, b, c] = corners(t);
     meet(b, t);
     meet(c, t);
     next_back_[t] = std::exchange(first_back_[index(b)], t);
@@ -110,17 +105,21 @@ bool Sweep::find_edges(VertexId v, TriangleIndex begin, TriangleIndex end) {
 
 /// Turns the triangles that follow t around v like it, beyond its last corner
 /// first, up to one that has been turned. @return whether that agrees
-bool Sweep::pass_on(VertexId v, TriangleIndex t) {
-  VertexId high = triangles_[t][2];
+///
+/// @param runs_up  whether t, as it is, runs up along its edge to that corner
+bool Sweep::pass_on(VertexId v, TriangleIndex t, bool runs_up) {
+  VertexId high = corners(t)[2];
+  std::uint32_t label = labels_[t];
   while (true) {
-    const TriangleIndex next = edge_to_[index(high)].both ^ t;
-    const bool is_same_way = runs_up(next, v, high) == runs_up(t, v, high);
-    const std::uint32_t label = labels_[t] ^ (is_same_way ? 1U : 0U);
-    if (labels_[next] != kNone) return relate(next, label);
-    labels_[next] = label;
-    const auto& [a, b, c] = triangles_[next];
-    high = high == b ? c : b;
-    t = next;
+    t ^= edge_to_[index(high)].both;
+    const auto& [a, b, c] = corners(t);
+    const bool is_up = a != v || b == high;
+    label ^= is_up == runs_up ? 1U : 0U;
+    if (labels_[t] != kNone) return relate(t, label);
+    labels_[t] = label;
+    // Its first corner is v: it comes up one edge and goes down the other.
+    high = is_up ? c : b;
+    runs_up = !is_up;
   }
 }
 
@@ -150,7 +149,7 @@ TurnedTriangles Sweep::result() && {
 }  // namespace
 
 std::optional<TurnedTriangles> sweep_closed(
-    std::size_t n_vertices, std::span<const Triangle> triangles) {
+    std::size_t n_vertices, std::span<const LocatedTriangle> triangles) {
   Sweep sweep(n_vertices, triangles);
   if (!sweep.run()) return {};
   return std::move(sweep).result();

@@ -34,6 +34,6 @@ class TurnedTriangles {
 /// @return none unless the first corners ascend, each edge has two triangles,
 ///   and all can be turned so that these run along it opposite ways
 std::optional<TurnedTriangles> sweep_closed(
-    std::size_t n_vertices, std::span<const Triangle> triangles);
+    std::size_t n_vertices, std::span<const LocatedTriangle> triangles);
 
 }  // namespace umbrella

@@ -49,34 +49,34 @@ std::vector<VertexId> vertices_of(const Region& region,
 
 std::vector<Region> merge_holes(std::span<const Hole> holes,
                                 const WorkingSurface& surface) {
-  constexpr auto kNone = std::numeric_limits<std::size_t>::max();
   DisjointSets sets(holes.size());
-  std::vector<std::size_t> hole_of_vertex(surface.n_vertices(), kNone);
-  for (std::size_t h = 0; h < holes.size(); ++h)
+  std::vector<std::uint32_t> hole_of_vertex(surface.n_vertices(), kNone);
+  for (std::uint32_t h = 0; h < holes.size(); ++h)
     for (const VertexId v : holes[h].vertices) {
-      std::size_t& known = hole_of_vertex[index(v)];
+      std::uint32_t& known = hole_of_vertex[index(v)];
       if (known == kNone)
         known = h;
       else
         sets.unite(known, h);
     }
-  for (TriangleIndex t = 0; t < surface.n_indices(); ++t) {
-    std::array<std::size_t, 3> hole;
+  const auto join_corners = [&](TriangleIndex t) {
+    std::array<std::uint32_t, 3> hole;
     for (unsigned i = 0; i < 3; ++i)
       hole[i] = hole_of_vertex[index(surface.corners(t)[i])];
-    if (!surface.contains(t) || std::count(hole.begin(), hole.end(), kNone) > 0)
-      continue;
+    if (std::count(hole.begin(), hole.end(), kNone) > 0) return;
     sets.unite(hole[0], hole[1]);
     sets.unite(hole[0], hole[2]);
-  }
+  };
+  for (const Hole& hole : holes)
+    for (const VertexId v : hole.vertices) surface.for_each_at(v, join_corners);
 
   std::vector<Region> regions;
-  std::vector<std::size_t> region_of_set(holes.size(), kNone);
+  std::vector<std::uint32_t> region_of_set(holes.size(), kNone);
   for (std::size_t v = 0; v < hole_of_vertex.size(); ++v) {
     if (hole_of_vertex[v] == kNone) continue;
-    std::size_t& region = region_of_set[sets.root(hole_of_vertex[v])];
+    std::uint32_t& region = region_of_set[sets.root(hole_of_vertex[v])];
     if (region == kNone) {
-      region = regions.size();
+      region = static_cast<std::uint32_t>(regions.size());
       regions.emplace_back();
     }
     regions[region].vertices.push_back(VertexId{static_cast<std::uint32_t>(v)});
