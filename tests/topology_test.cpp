@@ -55,6 +55,16 @@ TEST(EssentialLoops, GoRoundATorusTheShortWay) {
   EXPECT_EQ(std::count(is_met.begin(), is_met.end(), true), 5 * 9);
 }
 
+/// Also far from the edges that labels make out.
+TEST(EssentialLoops, GoThroughEveryVertexOfALongTube) {
+  constexpr std::uint32_t kRings = 60;
+  EssentialLoops loops(4 * kRings, grid_torus(4, kRings, 0));
+  std::vector<bool> is_met(4 * kRings);
+  for (const auto& loop : loops.shortest(4))
+    for (const VertexId v : loop) is_met[index(v)] = true;
+  EXPECT_EQ(std::count(is_met.begin(), is_met.end(), true), 4 * kRings);
+}
+
 TEST(EssentialLoops, AreThereOnSurfacesWithHandlesOnly) {
   const std::vector<Triangle> tetrahedron = {
       {VertexId{0}, VertexId{1}, VertexId{2}},
@@ -127,7 +137,7 @@ std::vector<Point3> two_spheres(double gap, std::uint64_t seed) {
 }
 
 TEST(PointGroups, ArePartedByGapsOnly) {
-  for (const double gap : {0.5, 4.0}) {
+  for (const double gap : {0.5, 2.0, 4.0}) {
     SCOPED_TRACE(testing::Message() << "gap " << gap);
     const delaunay::Triangulation3 triangulation(two_spheres(gap, 3));
     const auto ranked = ranked_triangles(triangulation);
@@ -136,11 +146,18 @@ TEST(PointGroups, ArePartedByGapsOnly) {
     PointGroups groups(triangulation, filtered.triangles);
     const auto rows = triangulation.vertex_of_row();
     const std::size_t n_all = kLarge + kSmall;
-    EXPECT_EQ(groups.n_points_with(rows.first(1)), gap > 1 ? kLarge : n_all);
-    EXPECT_EQ(groups.n_points_with(rows.last(2)), gap > 1 ? kSmall : n_all);
+    EXPECT_EQ(groups.n_points_with(rows.first(1)), gap > 3 ? kLarge : n_all);
+    EXPECT_EQ(groups.n_points_with(rows.last(2)), gap > 3 ? kSmall : n_all);
     EXPECT_EQ(groups.n_points_with(std::array{rows.front(), rows.back()}),
               n_all);
   }
+}
+
+TEST(PointGroups, TakeInWhateverIsNearToPointsWithoutATriangle) {
+  const delaunay::Triangulation3 triangulation(two_spheres(4, 3));
+  PointGroups groups(triangulation, {});
+  EXPECT_EQ(groups.n_points_with(triangulation.vertex_of_row().first(1)),
+            kLarge + kSmall);
 }
 
 TEST(Topology, KeepsSpheresApartThatHaveAGapBetweenThem) {
@@ -194,6 +211,25 @@ TEST(Topology, LosesHandlesThatTheSamplingDoesNotMean) {
     EXPECT_EQ(after.surface.triangles + 4 * after.closing.handles_removed,
               before.surface.triangles);
     n_removed += after.closing.handles_removed;
+  }
+  EXPECT_GT(n_removed, 0U);
+}
+
+/// However few handles there are for so many parts.
+TEST(Topology, LosesAHandleAlsoBesideOtherParts) {
+  std::size_t n_removed = 0;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    std::vector<Point3> points = horseshoe(seed);
+    const Reconstruction alone = reconstruct(points);
+    for (const int i : {1, 2})
+      for (const Point3& p : shapes::sample("sphere", 300, {.seed = seed}))
+        points.push_back(p + Point3(0, 0, 9 * i));
+    const Reconstruction beside = reconstruct(points);
+    EXPECT_EQ(beside.closing.handles_removed, alone.closing.handles_removed);
+    EXPECT_EQ(beside.surface.genus, alone.surface.genus);
+    EXPECT_EQ(beside.surface.components, 3U);
+    n_removed += alone.closing.handles_removed;
   }
   EXPECT_GT(n_removed, 0U);
 }

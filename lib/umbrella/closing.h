@@ -62,8 +62,8 @@ struct ClosingOptions {
   /// some edge of the cleaned triangles at either end.
   double joined_part = 0.4;
   /// Once the surface is closed, handles that a loop of at most so many edges
-  /// goes round are removed where a surface through the same points has none;
-  /// 0 to keep all.
+  /// goes round are removed where a surface through the same points has none,
+  /// but for tubes, which have four such loops or more; 0 to keep all.
   unsigned handle_edges = 5;
   /// Regions are solved on so many threads, with the same result for any
   /// number; what has no solution as it is grows on one.

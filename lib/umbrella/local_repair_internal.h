@@ -25,8 +25,8 @@ struct LocalRepair {
 ///   surface of fewer components;
 /// - about each point that is left out, for one through it;
 /// - about each loop of at most options.handle_edges edges that goes round a
-///   handle, for one through the same points without: with all points used,
-///   one handle less is four triangles less.
+///   handle and no tube, for one through the same points without: with all
+///   points used, one handle less is four triangles less.
 ///
 /// No point is lost, and components never become more.
 ///
