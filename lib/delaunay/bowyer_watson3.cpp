@@ -52,6 +52,7 @@ void BowyerWatson3::start(const std::array<VertexId, 4>& first) {
   if (sign < 0) std::swap(a, b);
 
   // Cell 0 is abcd, cell i + 1 lies beyond its facet i.
+  beyond_hull_ = CellId{1};
   const std::array<VertexId, 4> v = {a, b, c, d};
   for (unsigned i = 0; i < 5; ++i) fresh_.take();
   cells_[0].vertex = v;
@@ -288,9 +289,12 @@ void BowyerWatson3::forget_cavity() {
 
 // ---- End ----
 
-void BowyerWatson3::remove_unused(std::size_t end) {
-  while (fresh_.end_after(1) <= end)
-    Mesh3::remove(mesh_.cells[index(fresh_.take())]);
+const std::vector<CellId>& BowyerWatson3::gaps(std::size_t end) {
+  while (fresh_.end_after(1) <= end) {
+    free_.push_back(fresh_.take());
+    Mesh3::remove(mesh_.cells[index(free_.back())]);
+  }
+  return free_;
 }
 
 }  // namespace delaunay

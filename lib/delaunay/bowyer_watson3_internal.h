@@ -52,8 +52,10 @@ class alignas(128) BowyerWatson3 {  // shares no cache line with another
 
   /// Beyond the last cell ever used.
   std::size_t end() const { return fresh_.end(); }
-  /// Marks its own places below `end` that were never used as empty.
-  void remove_unused(std::size_t end);
+  /// Its own places below `end` that hold no cell, and are marked so.
+  const std::vector<CellId>& gaps(std::size_t end);
+  /// An infinite cell, or one that has taken the place of such a cell.
+  CellId beyond_hull() const { return beyond_hull_; }
 
  private:
   using Site = Mesh3::Site;
@@ -102,7 +104,8 @@ class alignas(128) BowyerWatson3 {  // shares no cache line with another
   std::vector<CellId> free_;
   Part part_{{}, 0};
   bool lacks_room_ = false;
-  CellId hint_{};  // near the vertex inserted last, inside the hull
+  CellId hint_{};         // near the vertex inserted last, inside the hull
+  CellId beyond_hull_{};  // the last infinite cell it made
 
   mutable Counters counters_;
 

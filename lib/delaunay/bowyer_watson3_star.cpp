@@ -92,6 +92,7 @@ void BowyerWatson3::make_star_cells(VertexId apex) {
     if (outer.is_infinite() && outside.index() != 3) [[unlikely]] {
       while (c != kInfinite) c = std::exchange(a, std::exchange(b, c));
       cell.vertex = {a, apex, b, kInfinite};
+      beyond_hull_ = star_[k];
       cell.neighbor[kInfiniteSlots[3]] = outside;
       outer.neighbor[outside.index()] = Facet(star_[k], kInfiniteSlots[3]);
     } else {

@@ -32,10 +32,14 @@ Mesh3::Mesh3(std::span<const Point3> points, unsigned n_inserters)
   for (std::size_t i = 0; i < points.size(); ++i)
     sites[i] = {.at = {points[i][0], points[i][1], points[i][2]}};
   lay_on_lattice(lattice_unit(points));
-  // Uniform points make 6.8 cells each, scanned surfaces 6 to 9. Memory that
-  // is never touched costs nothing, and moving all cells doubles the peak.
-  make_room(std::min(points.size() * 10 + n_inserters * FreshCells::kBlock,
-                     max_cells));
+  // Uniform points make 6.8 cells each, scanned surfaces 6 to 9, regular ones
+  // 12. Memory that is never touched costs nothing but, where there is much of
+  // it, a refusal; and moving all cells doubles the peak.
+  constexpr std::size_t kSpare = std::size_t{1} << 21U;
+  const std::size_t n = points.size();
+  make_room(std::min(
+      10 * n + std::min(3 * n, kSpare) + n_inserters * FreshCells::kBlock,
+      max_cells));
 }
 
 /// @param unit  of the lattice; 0 if there is none
@@ -69,34 +73,61 @@ void Mesh3::relocate(CellId from, CellId to) {
     link(Facet(to, i), cells[index(to)].neighbor[i]);
 }
 
-// Moves the cells with `keep` to the front, from `first` on; what was in
-// their place moves to theirs. Returns the end of the front.
+/// Cells beyond the hull lie next to one another. A mark on each, the sign of
+/// its infinite radius, is taken back.
+/// @param any  one of them
+std::vector<CellId> Mesh3::cells_beyond_hull(CellId any) {
+  std::vector<CellId> found;
+  const auto add = [&](CellId c) {
+    float& mark = cells[index(c)].outside2;
+    if (mark < 0) return;
+    mark = -mark;
+    found.push_back(c);
+  };
+  add(any);
+  for (std::size_t i = 0; i < found.size(); ++i)
+    for (unsigned k = 0; k < 3; ++k)
+      add(cells[index(found[i])].neighbor[k].cell());
+  for (const CellId c : found)
+    cells[index(c)].outside2 = -cells[index(c)].outside2;
+  return found;
+}
+
+// Moves the last cells with `keep` to these places in front of them, ascending;
+// what was there moves to theirs.
 template <class Keep>
-std::size_t Mesh3::gather(std::size_t first, Keep keep) {
+void Mesh3::fill(std::span<const CellId> places, Keep keep) {
   std::size_t last = cells.size();
   cells.emplace_back(Cell{});  // room to swap
   const CellId spare{static_cast<std::uint32_t>(last)};
-  for (;; ++first) {
-    while (first < last && keep(cells[first])) ++first;
-    while (first < last && !keep(cells[last - 1])) --last;
-    if (first == last) break;
-    --last;
-    const CellId front{static_cast<std::uint32_t>(first)};
+  for (const CellId front : places) {
+    do --last;
+    while (!keep(cells[last]));
     const CellId back{static_cast<std::uint32_t>(last)};
-    const bool is_gap = !is_cell(cells[first]);
+    const bool is_gap = !is_cell(cells[index(front)]);
     if (!is_gap) relocate(front, spare);
     relocate(back, front);
     if (!is_gap) relocate(spare, back);
   }
   cells.pop_back();
-  return first;
 }
 
-std::size_t Mesh3::compact(std::size_t end) {
+std::size_t Mesh3::compact(std::size_t end, std::vector<CellId> gaps,
+                           CellId beyond_hull) {
   cells.resize(end);
-  const std::size_t n_finite =
-      gather(0, [](const Cell& c) { return is_cell(c) && !c.is_infinite(); });
-  cells.resize(gather(n_finite, is_cell));
+  const std::vector<CellId> beyond = cells_beyond_hull(beyond_hull);
+  const std::size_t n_cells = end - gaps.size();
+  const std::size_t n_finite = n_cells - beyond.size();
+  gaps.insert(gaps.end(), beyond.begin(), beyond.end());
+  std::erase_if(gaps, [&](CellId c) { return index(c) >= n_finite; });
+  std::ranges::sort(gaps);
+  fill(gaps, [](const Cell& c) { return is_cell(c) && !c.is_infinite(); });
+  gaps.clear();
+  for (std::size_t i = n_finite; i < n_cells; ++i)
+    if (!is_cell(cells[i]))
+      gaps.push_back(CellId{static_cast<std::uint32_t>(i)});
+  fill(gaps, is_cell);
+  cells.resize(n_cells);
   return n_finite;
 }
 

@@ -34,10 +34,13 @@ struct Mesh3 {
   /// @throws std::length_error  that is over max_cells
   void make_room(std::size_t n);
 
-  /// Removes the places in front of `end` that hold no cell, and all behind;
-  /// moves the cells inside the hull to the front.
+  /// Removes the gaps, and all places from `end` on; moves the cells inside the
+  /// hull to the front. Looks at no others than those it moves, but at its end.
+  /// @param gaps         all places in front of `end` that hold no cell
+  /// @param beyond_hull  any infinite cell
   /// @return how many lie inside the hull
-  std::size_t compact(std::size_t end);
+  std::size_t compact(std::size_t end, std::vector<CellId> gaps,
+                      CellId beyond_hull);
 
   static bool is_cell(const Cell& c) { return c.vertex[0] != kInfinite; }
   static void remove(Cell& c) { c.vertex[0] = kInfinite; }
@@ -54,8 +57,9 @@ struct Mesh3 {
   void lay_on_lattice(double unit);
   void link(Facet a, Facet b);
   void relocate(CellId from, CellId to);
+  std::vector<CellId> cells_beyond_hull(CellId any);
   template <class Keep>
-  std::size_t gather(std::size_t first, Keep keep);
+  void fill(std::span<const CellId> places, Keep keep);
 };
 
 /// Vertices that one inserter may use while others use the other parts. What

@@ -203,9 +203,21 @@ Vertices Crew::insert_in_parts(std::span<const VertexId> vertices,
 std::size_t Crew::finish() {
   std::size_t end = 0;
   for (const BowyerWatson3& i : inserters_) end = std::max(end, i.end());
-  for (BowyerWatson3& i : inserters_) i.remove_unused(end);
-  for (const BowyerWatson3& i : inserters_) mesh_.counters += i.counters();
-  return mesh_.compact(end);
+  std::vector<CellId> gaps;
+  CellId beyond_hull{};
+  for (BowyerWatson3& i : inserters_) {
+    const auto& more = i.gaps(end);
+    gaps.insert(gaps.end(), more.begin(), more.end());
+    mesh_.counters += i.counters();
+  }
+  // Who replaces an infinite cell makes another: so the last one to make some
+  // knows one that is still there.
+  for (const BowyerWatson3& i : inserters_) {
+    const Cell& cell = mesh_.cells[index(i.beyond_hull())];
+    if (Mesh3::is_cell(cell) && cell.is_infinite())
+      beyond_hull = i.beyond_hull();
+  }
+  return mesh_.compact(end, std::move(gaps), beyond_hull);
 }
 
 }  // namespace

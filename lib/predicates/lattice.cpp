@@ -1,10 +1,14 @@
 #include "predicates/lattice.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 
 #include "predicates/filter_internal.h"
 #include "predicates/predicates.h"
+#include "predicates/wide_integer_internal.h"
 
 namespace predicates {
 namespace {
@@ -74,6 +78,46 @@ Quad where_negative(const Quad& condition, const Quad& q) {
           condition.cd < kZero ? q.cd : kZero};
 }
 
+/// Integers for four corners.
+struct Integers {
+  std::array<std::int64_t, 4> at;
+
+  /// @param q  multiples of `unit`
+  Integers(const Quad& q, double unit)
+      : at{static_cast<std::int64_t>(q.ab[0] / unit),
+           static_cast<std::int64_t>(q.ab[1] / unit),
+           static_cast<std::int64_t>(q.cd[0] / unit),
+           static_cast<std::int64_t>(q.cd[1] / unit)} {}
+};
+
+/// As Lattice::insphere_perturbed, for corners up to 2^19 units from e.
+int insphere_of_integers(const Integers& x, const Integers& y,
+                         const Integers& z) {
+  const auto side = [&](std::size_t p, std::size_t q) {
+    return x.at[p] * y.at[q] - y.at[p] * x.at[q];
+  };
+  using internal::Int128;
+  constexpr std::int64_t kPlaceX = std::int64_t{1} << 42U;
+  constexpr std::int64_t kPlaceY = std::int64_t{1} << 21U;
+  Int128 det = 0;
+  std::int64_t raises = 0;
+  std::int64_t lowers = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::size_t p = (i + 1) % 4, q = (i + 2) % 4, r = (i + 3) % 4;
+    const std::int64_t minor =
+        side(p, q) * z.at[r] - side(p, r) * z.at[q] + side(q, r) * z.at[p];
+    const std::int64_t weight = i % 2 == 0 ? minor : -minor;
+    const std::int64_t norm2 =
+        x.at[i] * x.at[i] + y.at[i] * y.at[i] + z.at[i] * z.at[i];
+    det += Int128{weight} * norm2;
+    const std::int64_t place = kPlaceX * x.at[i] + kPlaceY * y.at[i] + z.at[i];
+    raises = std::max(raises, weight > 0 ? place : 0);
+    lowers = std::max(lowers, weight < 0 ? place : 0);
+  }
+  if (det != 0) return det > 0 ? 1 : -1;
+  return raises > lowers ? 1 : -1;
+}
+
 }  // namespace
 
 int Lattice::orient3d(const double* a, const double* b, const double* c,
@@ -94,14 +138,18 @@ int Lattice::insphere_perturbed(const double* a, const double* b,
                                 const double* c, const double* d,
                                 const double* e) const {
   constexpr double kReach = 0x1p9;
+  constexpr double kFarReach = 0x1p19;
   constexpr Quad kSigns = {{1, -1}, {1, -1}};
   if (unit_ == 0) return predicates::insphere_perturbed(a, b, c, d, e);
   const Quad x = {{a[0] - e[0], b[0] - e[0]}, {c[0] - e[0], d[0] - e[0]}};
   const Quad y = {{a[1] - e[1], b[1] - e[1]}, {c[1] - e[1], d[1] - e[1]}};
   const Quad z = {{a[2] - e[2], b[2] - e[2]}, {c[2] - e[2], d[2] - e[2]}};
   const Quad norm2 = x * x + y * y + z * z;
-  if (largest(norm2) > (kReach * unit_) * (kReach * unit_))
+  const double reach2 = largest(norm2) / (unit_ * unit_);
+  if (reach2 > kFarReach * kFarReach)
     return predicates::insphere_perturbed(a, b, c, d, e);
+  if (reach2 > kReach * kReach)
+    return insphere_of_integers({x, unit_}, {y, unit_}, {z, unit_});
 
   // ab, bc, cd, da and ac, bd, ca, db, where pq = p.x q.y - p.y q.x.
   const Quad side = x * next(y) - y * next(x);

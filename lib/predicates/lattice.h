@@ -6,8 +6,9 @@
 namespace predicates {
 
 /// All coordinates are multiples of a power of two, the unit. Where they differ
-/// by few units, doubles hold every intermediate result of a determinant
-/// (docs/math.md, "Lattices"), and the tie-break needs no more than those.
+/// by few units, doubles hold every intermediate result of a determinant, by
+/// some more native integers do (docs/math.md, "Lattices"), and the tie-break
+/// needs no more than those.
 class Lattice {
  public:
   /// No lattice: every test is as without this class.
