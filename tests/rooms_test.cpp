@@ -73,12 +73,15 @@ class Setting {
 
  private:
   explicit Setting(const std::vector<Point3>& points)
-      : triangulation_(points), neighborhoods_(triangulation_) {
+      : triangulation_(points),
+        working_(triangulation_.points().size(), {}),
+        neighborhoods_(triangulation_, working_) {
     const auto faces = reconstruct(points).triangles;
     for (const RankedTriangle& t :
          locate_faces(triangulation_, Circumspheres(triangulation_), faces)
              .triangles) {
       surface_.push_back({t.corners, t.facet});
+      working_.add(surface_.back());
       on_surface_.insert(t.corners);
     }
   }
@@ -91,6 +94,7 @@ class Setting {
   }
 
   delaunay::Triangulation3 triangulation_;
+  WorkingSurface working_;
   Neighborhoods neighborhoods_;
   std::vector<LocatedTriangle> surface_;
   std::set<Triangle> on_surface_;
