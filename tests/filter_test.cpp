@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <random>
 #include <vector>
 
 #include "tests/support/complexes.h"
+#include "umbrella/first_cycle_internal.h"
 #include "umbrella/link_graph_internal.h"
 
 namespace umbrella {
@@ -128,6 +130,70 @@ TEST(UmbrellaFilter, ManagesAVertexOfVeryHighDegree) {
   const auto result = umbrella_filter(kSpokes + 1, triangles);
   EXPECT_EQ(result.triangles.size(), kSpokes);
   EXPECT_EQ(result.without_umbrella.size(), kSpokes);
+}
+
+/// Distinct edges of a random graph, as many as there may be at most.
+std::vector<LinkEdge> random_edges(std::size_t n_vertices,
+                                   std::size_t n_at_most,
+                                   std::mt19937_64& rng) {
+  std::vector<LinkEdge> edges;
+  for (std::size_t a = 0; a < n_vertices; ++a)
+    for (std::size_t b = 0; b < a; ++b)
+      edges.push_back({tests::vertex(a), tests::vertex(b)});
+  std::shuffle(edges.begin(), edges.end(), rng);
+  edges.resize(std::min(edges.size(), rng() % (n_at_most + 1)));
+  return edges;
+}
+
+// From a few vertices with all edges between them to a forest of 64.
+TEST(FirstCycle, IsWhatTheLinkGraphPeels) {
+  std::mt19937_64 rng(20261122);
+  constexpr std::size_t kMostVertices = 64;
+  FirstCycle few(kMostVertices);
+  LinkGraph graph(kMostVertices);
+  int n_cycles = 0;
+  constexpr int kTrials = 2000;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    SCOPED_TRACE(testing::Message() << "trial " << trial);
+    const auto edges = random_edges(2 + rng() % (kMostVertices - 1),
+                                    FirstCycle::kMostEdges, rng);
+    graph.clear();
+    const bool has_cycle =
+        std::any_of(edges.begin(), edges.end(),
+                    [&](const LinkEdge& e) { return graph.add(e); });
+    std::uint32_t expected = 0;
+    if (has_cycle) {
+      const auto& stays = graph.peel();
+      for (std::size_t e = 0; e < stays.size(); ++e)
+        expected |= std::uint32_t{stays[e]} << e;
+    }
+    EXPECT_EQ(few.find(edges), expected);
+    n_cycles += has_cycle ? 1 : 0;
+  }
+  EXPECT_GT(n_cycles, kTrials / 10);
+  EXPECT_LT(n_cycles, kTrials * 9 / 10);
+}
+
+// On the hull of a lattice all primaries are 0, and secondaries tie as well.
+TEST(UmbrellaFilter, PartsEqualRanksByCorners) {
+  for (std::uint64_t trial = 0; trial < 40; ++trial) {
+    SCOPED_TRACE(testing::Message() << "trial " << trial);
+    auto triangles = tests::random_complex(kVertices, 0.5, trial);
+    std::mt19937_64 rng(trial);
+    for (auto& t : triangles)
+      t.rank = {0.5 * static_cast<double>(rng() % 2),
+                static_cast<double>(rng() % 3)};
+    std::vector<Triangle> expected;
+    for (std::size_t i = 0; i < kVertices; ++i)
+      for (const auto& t : first_umbrella(triangles, tests::vertex(i)))
+        expected.push_back(t.corners);
+    std::sort(expected.begin(), expected.end());
+    expected.erase(std::unique(expected.begin(), expected.end()),
+                   expected.end());
+    auto chosen = corners_of(umbrella_filter(kVertices, triangles).triangles);
+    std::sort(chosen.begin(), chosen.end());
+    EXPECT_EQ(chosen, expected);
+  }
 }
 
 TEST(LinkGraph, FindsCyclesAndBridgesAsTheDefinitionSays) {

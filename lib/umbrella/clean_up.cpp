@@ -9,8 +9,8 @@
 #include <queue>
 
 #include "umbrella/cycle_check_internal.h"
-#include "umbrella/disjoint_sets_internal.h"
 #include "umbrella/link_graph_internal.h"
+#include "umbrella/ranges.h"
 
 namespace umbrella {
 namespace {
@@ -39,6 +39,7 @@ class CleanUp {
         type3_corners_(triangles.size()),
         has_umbrella_(n_vertices, true),
         is_dirty_(n_vertices),
+        is_waiting_(triangles.size()),
         worst_first_(RanksBefore{triangles}) {}
 
   /// @param dirty  vertices where that is not so
@@ -68,6 +69,8 @@ class CleanUp {
   std::uint8_t without_corner(TriangleIndex t, VertexId v) const {
     return static_cast<std::uint8_t>(type3_corners_[t] & ~corner_bit(t, v));
   }
+  std::span<const VertexId> piece_from(VertexId lowest,
+                                       std::size_t most_triangles);
   void classify(VertexId v, std::vector<TriangleIndex>& type2);
   void classify_in_full(VertexId v, std::vector<TriangleIndex>& type2);
   std::vector<TriangleIndex> worst_type3();
@@ -82,10 +85,12 @@ class CleanUp {
   std::vector<std::uint8_t> type3_corners_;  // bit i: of type 3 at corner i
   std::vector<bool> has_umbrella_;
   std::vector<bool> is_dirty_;
-  /// All triangles of type 3, and some that were.
+  std::vector<bool> is_waiting_;  // in worst_first_
+  /// All triangles of type 3, and some that were, each once.
   std::priority_queue<TriangleIndex, std::vector<TriangleIndex>, RanksBefore>
       worst_first_;
   std::vector<TriangleIndex> alive_at_v_;
+  std::vector<VertexId> piece_;
 };
 
 void CleanUp::delete_types_2_and_3(std::vector<VertexId> dirty) {
@@ -128,7 +133,8 @@ void CleanUp::classify_in_full(VertexId v, std::vector<TriangleIndex>& type2) {
     if (in_umbrella[k] == 0) type2.push_back(t);
     if (in_umbrella[k] == 0 || !is_of_type3) continue;
     type3_corners_[t] |= corner_bit(t, v);
-    worst_first_.push(t);
+    if (!is_waiting_[t]) worst_first_.push(t);
+    is_waiting_[t] = true;
   }
 }
 
@@ -137,6 +143,7 @@ std::vector<TriangleIndex> CleanUp::worst_type3() {
   while (!worst_first_.empty()) {
     const TriangleIndex t = worst_first_.top();
     worst_first_.pop();
+    is_waiting_[t] = false;
     if (fate_[t] == Fate::Alive && type3_corners_[t] != 0) return {t};
   }
   return {};
@@ -159,36 +166,54 @@ std::vector<VertexId> CleanUp::delete_all(std::span<const TriangleIndex> doomed,
 
 /// Deletes closed pieces of at most `largest` triangles. By now triangles that
 /// share a vertex with an umbrella are all in it, so pieces are what triangles
-/// join, and closed if each vertex has an umbrella.
+/// join, and closed if each vertex has an umbrella. A piece is looked for from
+/// its lowest vertex: few are lower than all around them, and from these most
+/// searches soon meet a lower one.
 void CleanUp::dissolve_pieces(std::size_t largest) {
-  const std::size_t n = has_umbrella_.size();
-  DisjointSets pieces(n);
-  std::vector<std::uint32_t> n_triangles(n);  // at a corner, then of the piece
+  std::vector<std::uint8_t> is_lowest(has_umbrella_.size(), 1);
   for_each_alive([&](TriangleIndex t) {
-    const auto& [a, b, c] = triangles_[t].corners;
-    pieces.unite(index(a), index(b));
-    pieces.unite(index(a), index(c));
-    ++n_triangles[index(a)];
+    is_lowest[index(triangles_[t].corners[1])] = 0;
+    is_lowest[index(triangles_[t].corners[2])] = 0;
   });
-  pieces.add_at_roots(n_triangles);
-  std::vector<bool> is_doomed(n);
-  for (std::size_t v = 0; v < n; ++v)
-    is_doomed[v] = n_triangles[v] > 0 && n_triangles[v] <= largest;
-  for (std::size_t v = 0; v < n; ++v)
-    if (!has_umbrella_[v]) is_doomed[pieces.root(v)] = false;
-  for_each_alive([&](TriangleIndex t) {
-    if (!is_doomed[pieces.root(index(triangles_[t].corners[0]))]) return;
-    fate_[t] = Fate::Dissolved;
-    for (const VertexId v : triangles_[t].corners)
-      has_umbrella_[index(v)] = false;
-  });
+  for (std::uint32_t v = 0; v < is_lowest.size(); ++v) {
+    if (is_lowest[v] == 0) continue;
+    for (const VertexId w : piece_from(VertexId{v}, largest)) {
+      has_umbrella_[index(w)] = false;
+      for (const TriangleIndex t : incidence_.at(w))
+        if (fate_[t] == Fate::Alive) fate_[t] = Fate::Dissolved;
+    }
+  }
+}
+
+/// The vertices of the piece with that lowest vertex; none if there is a lower
+/// one, or the piece is open or has more triangles.
+std::span<const VertexId> CleanUp::piece_from(VertexId lowest,
+                                              std::size_t most_triangles) {
+  std::size_t n_triangles = 0;
+  piece_.assign(1, lowest);
+  for (std::size_t i = 0; i < piece_.size(); ++i) {
+    if (!has_umbrella_[index(piece_[i])]) return {};
+    for (const TriangleIndex t : incidence_.at(piece_[i])) {
+      if (fate_[t] != Fate::Alive) continue;
+      const Triangle& corners = triangles_[t].corners;
+      n_triangles += corners[0] == piece_[i] ? 1 : 0;
+      // Each vertex of a closed piece has three triangles or more.
+      if (corners[0] < lowest || n_triangles > most_triangles ||
+          piece_.size() > most_triangles)
+        return {};
+      for (const VertexId v : corners)
+        if (std::find(piece_.begin(), piece_.end(), v) == piece_.end())
+          piece_.push_back(v);
+    }
+  }
+  return piece_;
 }
 
 CleanUpResult CleanUp::result() const {
   CleanUpResult result;
   const auto n_alive = static_cast<std::size_t>(
       std::count(fate_.begin(), fate_.end(), Fate::Alive));
-  result.triangles.reserve(n_alive);
+  reserve_pages(result.triangles, n_alive);
   result.deleted.reserve(triangles_.size() - n_alive);
   for (TriangleIndex t = 0; t < triangles_.size(); ++t) {
     const bool is_alive = fate_[t] == Fate::Alive;

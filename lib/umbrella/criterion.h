@@ -92,9 +92,7 @@ std::vector<RankedTriangle> ranked(
     const delaunay::Triangulation3& triangulation, const Circumspheres& spheres,
     const C& criterion, const FacetsByCorners& facets, IndexRange lowest) {
   std::vector<RankedTriangle> triangles;
-  triangles.reserve(facets.count(lowest));
-  delaunay::advise_huge_pages(triangles.data(),
-                              triangles.capacity() * sizeof(RankedTriangle));
+  reserve_pages(triangles, facets.count(lowest));
   std::vector<FacetRadii> radii;
   FacetsByCorners::Walk walk(facets, lowest);
   for (auto block = walk.next(); !block.empty(); block = walk.next()) {

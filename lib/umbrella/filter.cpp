@@ -1,7 +1,8 @@
 // Kruskal at every vertex: union-find over the link graph tells the first edge
 // that closes a cycle, and peeling leaves off what was taken so far leaves the
 // cycle alone. The paper searches the graph anew after each triangle; this is
-// near linear in all.
+// near linear in all. The usual few triangles are sorted, and their cycle is
+// found, without a jump that depends on them.
 #include "umbrella/filter.h"
 
 #include <algorithm>
@@ -10,6 +11,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "umbrella/first_cycle_internal.h"
 #include "umbrella/incidence_internal.h"
 #include "umbrella/link_graph_internal.h"
 #include "umbrella/vertex_filter_internal.h"
@@ -22,67 +24,103 @@ class UmbrellaPicker {
  public:
   UmbrellaPicker(std::size_t n_vertices,
                  std::span<const RankedTriangle> triangles)
-      : triangles_(triangles), graph_(n_vertices) {}
+      : triangles_(triangles), few_(n_vertices), graph_(n_vertices) {}
 
   /// @param at_v  the triangles at v
   /// @return the umbrella at v, empty if there is none; valid until the next
   ///   call
   std::span<const TriangleIndex> pick(VertexId v,
                                       std::span<const TriangleIndex> at_v) {
-    sort_by_rank(at_v);
-    graph_.clear();
-    const auto closing =
-        std::find_if(order_.begin(), order_.end(), [&](TriangleIndex t) {
-          return graph_.add(opposite_edge(triangles_[t].corners, v));
-        });
-    if (closing == order_.end()) return {};
-
-    const std::vector<std::uint8_t>& stays = graph_.peel();
     umbrella_.clear();
-    for (std::size_t k = 0; k < stays.size(); ++k)
-      if (stays[k] != 0) umbrella_.push_back(order_[k]);
+    if (at_v.size() <= kFew)
+      pick_from_few(v, at_v);
+    else
+      pick_from_many(v, at_v);
     return umbrella_;
   }
 
  private:
-  /// Into order_.
-  void sort_by_rank(std::span<const TriangleIndex> at_v) {
-    if (sort_few_by_primary(at_v)) return;
+  static constexpr std::size_t kFew = FirstCycle::kMostEdges;
+  static constexpr std::size_t kAtOnce = 4;
+  /// Keys in one register, and all of them.
+  using FourKeys [[gnu::vector_size(16)]] = std::int32_t;
+  using Keys = std::array<FourKeys, kFew / kAtOnce>;
+  using Places = std::array<std::size_t, kFew>;
+
+  void pick_from_few(VertexId v, std::span<const TriangleIndex> at_v) {
+    const std::size_t n = at_v.size();
+    Keys keys;
+    std::array<LinkEdge, kFew> edge, sorted;
+    for (std::size_t i = 0; i < n; ++i) {
+      const RankedTriangle& t = triangles_[at_v[i]];
+      keys[i / kAtOnce][i % kAtOnce] = upper_half(t.rank.primary);
+      edge[i] = opposite_edge(t.corners, v);
+    }
+    const Places place = places(at_v, keys);
+    std::array<TriangleIndex, kFew> order;
+    for (std::size_t i = 0; i < n; ++i) {
+      order[place[i]] = at_v[i];
+      sorted[place[i]] = edge[i];
+    }
+    for (std::uint32_t bits = few_.find(std::span(sorted).first(n)); bits != 0;
+         bits &= bits - 1)
+      umbrella_.push_back(
+          order[static_cast<std::size_t>(std::countr_zero(bits))]);
+  }
+
+  /// For each triangle how many go before it: more comparisons than sorting
+  /// takes, but no jump that depends on one, and many at once. The upper halves
+  /// of primaries, the keys, nearly always suffice.
+  Places places(std::span<const TriangleIndex> at_v, Keys& keys) const {
+    const std::size_t n = at_v.size();
+    // Before none: so that comparisons go in full registers.
+    std::size_t end = n;
+    for (; end % kAtOnce != 0; ++end)
+      keys[end / kAtOnce][end % kAtOnce] =
+          std::numeric_limits<std::int32_t>::max();
+    Places place;
+    std::size_t sum = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::int32_t key = keys[i / kAtOnce][i % kAtOnce];
+      FourKeys minus_before = {};  // true is -1
+      for (std::size_t r = 0; r < end / kAtOnce; ++r)
+        minus_before += keys[r] < key;
+      const std::int32_t n_before = -(minus_before[0] + minus_before[1] +
+                                      minus_before[2] + minus_before[3]);
+      sum += place[i] = static_cast<std::size_t>(n_before);
+    }
+    if (sum != n * (n - 1) / 2) part_equal(at_v, keys, place);
+    return place;
+  }
+
+  /// Where keys are equal, as they are on the hull.
+  void part_equal(std::span<const TriangleIndex> at_v, const Keys& keys,
+                  Places& place) const {
+    const auto key = [&keys](std::size_t i) {
+      return keys[i / kAtOnce][i % kAtOnce];
+    };
+    for (std::size_t i = 0; i < at_v.size(); ++i)
+      for (std::size_t k = 0; k < at_v.size(); ++k)
+        if (key(k) == key(i) &&
+            ranks_before(triangles_[at_v[k]], triangles_[at_v[i]]))
+          ++place[i];
+  }
+
+  void pick_from_many(VertexId v, std::span<const TriangleIndex> at_v) {
     order_.assign(at_v.begin(), at_v.end());
     std::sort(order_.begin(), order_.end(),
               [this](TriangleIndex a, TriangleIndex b) {
                 return ranks_before(triangles_[a], triangles_[b]);
               });
-  }
-
-  /// Puts each where as many go before it as there are smaller ones: more
-  /// comparisons than sorting takes, but no jump that depends on one, and many
-  /// at once. The upper halves of primaries nearly always suffice.
-  /// @return whether they do, and the triangles are few
-  bool sort_few_by_primary(std::span<const TriangleIndex> at_v) {
-    constexpr std::size_t kMost = 32, kAtOnce = 8;
-    const std::size_t n = at_v.size();
-    if (n > kMost) return false;
-    std::array<std::int32_t, kMost> key;
-    for (std::size_t i = 0; i < n; ++i)
-      key[i] = upper_half(triangles_[at_v[i]].rank.primary);
-    // Before none: so that comparisons go in full blocks.
-    std::size_t end = n;
-    for (; end % kAtOnce != 0; ++end)
-      key[end] = std::numeric_limits<std::int32_t>::max();
-    order_.resize(n);
-    std::int32_t sum = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-      std::int32_t n_before = 0;
-      for (std::size_t first = 0; first < end; first += kAtOnce)
-        for (std::size_t k = first; k < first + kAtOnce; ++k)
-          n_before += key[k] < key[i] ? 1 : 0;
-      order_[static_cast<std::size_t>(n_before)] = at_v[i];
-      sum += n_before;
-    }
-    // Less if some are equal.
-    const auto all = static_cast<std::int32_t>(n);
-    return sum == all * (all - 1) / 2;
+    graph_.clear();
+    const auto closing =
+        std::find_if(order_.begin(), order_.end(), [&](TriangleIndex t) {
+          return graph_.add(opposite_edge(triangles_[t].corners, v));
+        });
+    if (closing == order_.end()) return;
+    const std::vector<std::uint8_t>& stays = graph_.peel();
+    for (std::size_t k = 0; k < stays.size(); ++k)
+      if (stays[k] != 0) umbrella_.push_back(order_[k]);
   }
 
   /// Ascends with x.
@@ -95,6 +133,7 @@ class UmbrellaPicker {
   }
 
   std::span<const RankedTriangle> triangles_;
+  FirstCycle few_;
   LinkGraph graph_;
   std::vector<TriangleIndex> order_;
   std::vector<TriangleIndex> umbrella_;

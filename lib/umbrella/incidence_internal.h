@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "delaunay/lazy_vector.h"
 #include "umbrella/triangle.h"
 
 namespace umbrella {
@@ -19,7 +20,14 @@ using TriangleIndex = std::uint32_t;
 using LinkEdge = std::array<VertexId, 2>;
 
 inline LinkEdge opposite_edge(const Triangle& t, VertexId v) {
-  return {t[0] == v ? t[1] : t[0], t[2] == v ? t[1] : t[2]};
+  // Selected, not jumped to: which corner v is, no processor can guess.
+  const auto unless_v = [v, &t](VertexId end) {
+    const auto middle = static_cast<std::uint32_t>(t[1]);
+    const auto other = static_cast<std::uint32_t>(end);
+    const std::uint32_t mask = 0U - static_cast<std::uint32_t>(end == v);
+    return VertexId{other ^ ((other ^ middle) & mask)};
+  };
+  return {unless_v(t[0]), unless_v(t[2])};
 }
 
 /// For each vertex the triangles at it, ascending.
@@ -44,7 +52,7 @@ class Incidence {
 
  private:
   std::vector<std::uint32_t> first_;
-  std::vector<TriangleIndex> triangles_;
+  delaunay::LazyVector<TriangleIndex> triangles_;
 };
 
 }  // namespace umbrella
