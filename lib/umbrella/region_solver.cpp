@@ -29,7 +29,7 @@ bool is_among(const Piece& piece, std::span<const Piece> pieces) {
 struct RegionSolver::Work {
   std::vector<LocatedTriangle> candidates;
   ClosingProgram program;
-  ilp::Solver solver;
+  ilp::Solver solver{ilp::Problem()};  // of the program, once it is asked
   std::vector<std::vector<ilp::Literal>> added;  // clauses, to the program
   ilp::Status status = ilp::Status::Limit;       // of the program with these
   std::span<const Piece> allowed;
@@ -39,9 +39,7 @@ struct RegionSolver::Work {
   Attempt result;
 
   Work(std::vector<LocatedTriangle> candidates_found, ClosingProgram made)
-      : candidates(std::move(candidates_found)),
-        program(std::move(made)),
-        solver(program.problem()) {
+      : candidates(std::move(candidates_found)), program(std::move(made)) {
     result.n_candidates = candidates.size();
     result.n_variables = program.problem().n_variables();
     result.vertices.assign(program.vertices().begin(),
@@ -81,7 +79,6 @@ Attempt RegionSolver::attempt(const Region& region, Effort& effort,
   if (how.fewer_triangles > 0) program.demand_fewer(how.fewer_triangles);
   Work work(std::move(candidates), std::move(program));
   work.allowed = how.allowed;
-  if (options_.on_program) work.solver.keep_cycles();
   work.effort = {effort.conflicts / 2, effort.propagations / 2};
   order_worst_first(work);
   if (!solve_in_order(work)) {
@@ -106,6 +103,7 @@ Attempt RegionSolver::attempt(const Region& region, Effort& effort,
 bool RegionSolver::solve_in_order(Work& work) {
   if (options_.mode == CloseMode::Paper || !work.program.droppable().empty())
     return false;
+  make_solver(work);
   work.solver.set_priority(work.worst_first);
   work.solver.set_branching(ilp::Branching::Static);
   do {
@@ -146,6 +144,10 @@ void RegionSolver::add_sides(Work& work) const {
   work.program.add_sides(walls_between_rooms(
       neighborhoods_.cells(),
       {work.candidates, fixed, work.program.vertices(), is_open_}));
+  make_solver(work);
+}
+
+void RegionSolver::make_solver(Work& work) const {
   work.solver = ilp::Solver(work.program.problem());
   if (options_.on_program) work.solver.keep_cycles();
 }

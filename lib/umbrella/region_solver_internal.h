@@ -104,6 +104,7 @@ class RegionSolver {
 
   /// @pre the cells of the candidates are the last ones collected
   void add_sides(Work& work) const;
+  void make_solver(Work& work) const;
   bool solve_in_order(Work& work);
   void order_worst_first(Work& work) const;
   bool settle_dropped(Work& work, const AttemptOptions& how);
