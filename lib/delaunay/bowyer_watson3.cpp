@@ -259,10 +259,12 @@ bool BowyerWatson3::find_cavity(CellId seed, VertexId v, const Region& region) {
   return k == search.n_cavity;
 }
 
-/// A cell met twice is open twice. All are tested before any is added, so that
-/// one test does not wait for another. By value, so that the search that calls
-/// it can stay in registers.
+/// Ties on a lattice are broken first, all of them, so that none waits for
+/// another. What else there is takes longer, and a cell met twice is open
+/// twice: so it is tested when its turn comes, if it was not seen meanwhile. By
+/// value, so that the search that calls it can stay in registers.
 CavitySearch BowyerWatson3::with_open_decided(CavitySearch search, VertexId v) {
+  constexpr std::uint8_t kNoTie = 2;
   const predicates::LatticePoint* const points = mesh_.lattice_points.data();
   const float reach2 = mesh_.tie_reach2;
   const predicates::LatticeTies ties(reach2 > 0 ? points[index(v)]
@@ -273,11 +275,16 @@ CavitySearch BowyerWatson3::with_open_decided(CavitySearch search, VertexId v) {
     open_inside_[i] = cell.outside2 <= reach2
                           ? ties.is_inside(points[index(a)], points[index(b)],
                                            points[index(c)], points[index(d)])
-                          : in_conflict_exact(cell, search.p.data());
+                          : kNoTie;
+  }
+  for (std::size_t i = 0; i < search.n_open; ++i) {
+    const Facet f = search.open[i];
+    bool inside = open_inside_[i] == 1;
+    if (open_inside_[i] == kNoTie && !search.has_seen(f))
+      inside = in_conflict_exact(cells_[index(f.cell())], search.p.data());
+    search.add_unless_seen(f, inside);
   }
   count(counters_.exact_tests, search.n_open);
-  for (std::size_t i = 0; i < search.n_open; ++i)
-    search.add_unless_seen(search.open[i], open_inside_[i]);
   search.n_open = 0;
   return search;
 }

@@ -57,10 +57,16 @@ struct CavitySearch {
     open[n_open] = f;
     n_open += (inside | outside | in_cavity) ^ 1U;
   }
-  /// Adds an open facet, unless its cell was seen meanwhile through another.
-  /// @param inside  1 if its cell is in the cavity
-  void add_unless_seen(Facet f, std::uint32_t inside) {
+  /// Whether the cell is in the cavity, or next to it, for all that is known.
+  bool has_seen(Facet f) const {
     const Cell& cell = cells[index(f.cell())];
+    return (is_marked(cell.inside2) | is_marked(cell.outside2)) != 0;
+  }
+  /// Adds an open facet, unless its cell was seen meanwhile through another.
+  /// @param is_inside  its cell is in the cavity
+  void add_unless_seen(Facet f, bool is_inside) {
+    const Cell& cell = cells[index(f.cell())];
+    const std::uint32_t inside = is_inside;
     const std::uint32_t in_cavity = is_marked(cell.inside2);
     const std::uint32_t next_to_it = is_marked(cell.outside2);
     const std::uint32_t newly_inside = inside & ~(in_cavity | next_to_it);
