@@ -130,19 +130,17 @@ bool Sweep::relate(TriangleIndex t, std::uint32_t label) {
 }
 
 TurnedTriangles Sweep::result() && {
-  struct Component {
-    std::uint32_t name = kNone;
-    std::uint32_t parity = 0;  // of the first triangle
-  };
-  std::vector<Component> components(patches_.size());  // by root
+  std::vector<std::uint32_t> final_label(patches_.size(), kNone);
   std::uint32_t n_components = 0;
-  for (std::uint32_t& label : labels_) {
-    const auto [root, parity] = patches_.find(label / 2);
-    const std::uint32_t turned = (label & 1U) ^ parity;
-    if (components[root].name == kNone)
-      components[root] = {n_components++, turned};
-    label = 2 * components[root].name + (turned ^ components[root].parity);
+  // The first triangle of a component is in its first patch, and not turned.
+  for (std::uint32_t p = 0; p < final_label.size(); ++p) {
+    const auto [root, parity] = patches_.find(p);
+    if (final_label[root] == kNone)
+      final_label[root] = 2 * n_components++ + parity;
+    final_label[p] = final_label[root] ^ parity;
   }
+  for (std::uint32_t& label : labels_)
+    label = final_label[label / 2] ^ (label & 1U);
   return {std::move(labels_), n_components};
 }
 

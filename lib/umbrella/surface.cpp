@@ -1,5 +1,6 @@
 #include "umbrella/surface.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -188,8 +189,9 @@ std::vector<bool> inside_out(std::span<const Point3> points,
     const double part = signed_volume(points, corners, *origin, scale);
     volume += turned.is_turned(t) ? -part : part;
   }
-  std::vector<bool> result;
-  for (const Component& c : components) result.push_back(c.volume < 0);
+  std::vector<bool> result(components.size());
+  std::transform(components.begin(), components.end(), result.begin(),
+                 [](const Component& c) { return c.volume < 0; });
   return result;
 }
 
