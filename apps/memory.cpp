@@ -11,7 +11,7 @@
 
 namespace command {
 
-void make_room(std::size_t bytes) {
+void keep_memory() {
 #if defined(__GLIBC__)
   // Large blocks would go back to the system one by one, and the end of the
   // heap as soon as it is free.
@@ -19,6 +19,9 @@ void make_room(std::size_t bytes) {
   mallopt(M_MMAP_THRESHOLD, kNever);
   mallopt(M_TRIM_THRESHOLD, kNever);
 #endif
+}
+
+void make_room(std::size_t bytes) {
   void* const room = std::malloc(bytes);
   if (room != nullptr) delaunay::advise_huge_pages(room, bytes);
   std::free(room);

@@ -18,8 +18,8 @@ namespace {
 /// to 1.1 kB on the scans of the paper.
 constexpr std::size_t kBytesPerPoint = 1024;
 
-/// Up to here to make room has paid off; with a million points the whole way
-/// took longer.
+/// Up to here to make room has paid off; with a million points huge pages take
+/// longer.
 constexpr std::size_t kMostPoints = 100'000;
 
 // The points of all files, in order; rows count through.
@@ -64,6 +64,7 @@ std::string joined(const std::vector<std::string>& words) {
 
 ExitCode run_reconstruct(const ReconstructOptions& options) {
   require_outputs(options);
+  keep_memory();
   const Request& request = options.request;
   terminal::Progress progress(options.quiet);
   const umbrella::Stopwatch total;

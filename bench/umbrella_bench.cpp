@@ -124,11 +124,12 @@ void one_region(benchmark::State& state) {
 
 void orientation(benchmark::State& state, const char* shape) {
   const Stages s(shape, state.range(0));
-  std::vector<umbrella::Triangle> corners;
-  for (const auto& t : s.clean.triangles) corners.push_back(t.corners);
+  std::vector<umbrella::LocatedTriangle> triangles;
+  for (const auto& t : s.clean.triangles)
+    triangles.push_back({t.corners, t.facet});
   for (auto _ : state)
     benchmark::DoNotOptimize(
-        umbrella::orient(s.triangulation.points(), corners));
+        umbrella::orient(s.triangulation.points(), triangles));
   count_points(state);
 }
 

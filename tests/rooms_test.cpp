@@ -73,7 +73,9 @@ class Setting {
 
  private:
   explicit Setting(const std::vector<Point3>& points)
-      : triangulation_(points), neighborhoods_(triangulation_) {
+      : triangulation_(points),
+        working_(triangulation_.points().size(), {}),
+        neighborhoods_(triangulation_, working_) {
     const auto faces = reconstruct(points).triangles;
     for (const RankedTriangle& t :
          locate_faces(triangulation_, Circumspheres(triangulation_), faces)
@@ -91,6 +93,7 @@ class Setting {
   }
 
   delaunay::Triangulation3 triangulation_;
+  WorkingSurface working_;  // without triangles
   Neighborhoods neighborhoods_;
   std::vector<LocatedTriangle> surface_;
   std::set<Triangle> on_surface_;

@@ -356,8 +356,10 @@ void Closing::repair_locally(bool is_labelled) {
   ClosingOptions options = options_;
   options.on_program = {};
   options.seconds = std::max(0.0, solver_.seconds_left());
-  if (!is_labelled && !may_have_new_handle(surface_, options.handle_edges))
+  if (!is_labelled && !may_have_new_handle(surface_, options.handle_edges)) {
+    if (solver_.is_one_piece()) return;
     options.handle_edges = 0;
+  }
   LocalRepair repaired =
       umbrella::repair_locally(triangulation_, options, result_.triangles);
   result_.report.pieces_joined = repaired.pieces_joined;

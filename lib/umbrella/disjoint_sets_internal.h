@@ -22,10 +22,15 @@ class DisjointSets {
     while (parent_[r] != r) r = parent_[r] = parent_[parent_[r]];
     return r;
   }
-  void unite(std::size_t i, std::size_t k) {
+  /// @return whether they were apart
+  bool unite(std::size_t i, std::size_t k) {
+    if (parent_[i] == parent_[k]) return false;
     const std::uint32_t a = root(i), b = root(k);
     parent_[std::max(a, b)] = std::min(a, b);
+    return a != b;
   }
+  /// A new member, in a set of its own.
+  void add() { parent_.push_back(static_cast<std::uint32_t>(parent_.size())); }
   /// Adds what is counted at each member to the count at its root.
   void add_at_roots(std::vector<std::uint32_t>& counts) {
     for (std::size_t i = 0; i < counts.size(); ++i)

@@ -130,11 +130,6 @@ class Repair {
   Census census_with(const Attempt& solved) const;
   void accept(const Attempt& solved);
   bool is_over() const { return effort_.is_spent() || solver_.is_stopped(); }
-  bool is_used(VertexId v) const {
-    bool result = false;
-    surface_.for_each_at(v, [&](TriangleIndex) { result = true; });
-    return result;
-  }
 
   const ClosingOptions& options_;
   const ClosingOptions local_options_;
@@ -178,7 +173,8 @@ std::size_t Repair::bring_in() {
   for (const VertexId v : missing) {
     Region region;
     region.vertices = {v};
-    for (int ring = 0; ring < kRings && !is_used(v) && !is_over(); ++ring) {
+    for (int ring = 0; ring < kRings && !surface_.is_used(v) && !is_over();
+         ++ring) {
       region.vertices = solver_.neighborhoods().ring(region.vertices);
       Vertices others = left_out();
       std::erase(others, v);

@@ -20,6 +20,15 @@ class ParitySets {
       link_[i] = Link(static_cast<std::uint32_t>(i), 0);
   }
 
+  std::size_t size() const { return link_.size(); }
+  /// A new member, in a set of its own.
+  std::uint32_t add() {
+    const auto i = static_cast<std::uint32_t>(size());
+    link_.push_back(Link(i, 0));
+    size_.push_back(1);
+    return i;
+  }
+
   struct Place {
     std::uint32_t root;
     std::uint32_t parity;  ///< 0: like the root

@@ -4,12 +4,44 @@
 #include "umbrella/pieces_internal.h"
 
 namespace umbrella {
+namespace {
+
+/// Walks that may meet each other, by their steps.
+class Walks {
+ public:
+  /// A step not yet done, the first of a walk.
+  std::uint32_t add() {
+    n_open_.push_back(1);
+    sets_.add();
+    ++n_going_;
+    return static_cast<std::uint32_t>(n_open_.size() - 1);
+  }
+  void join(std::uint32_t a, std::uint32_t b) {
+    a = sets_.root(a);
+    b = sets_.root(b);
+    if (!sets_.unite(a, b)) return;
+    n_going_ -= n_open_[a] > 0 && n_open_[b] > 0 ? 1 : 0;
+    n_open_[sets_.root(a)] = n_open_[a] + n_open_[b];
+  }
+  void finish_step(std::uint32_t i) {
+    if (--n_open_[sets_.root(i)] == 0) --n_going_;
+  }
+  /// Walks with steps not yet done.
+  std::size_t n_going() const { return n_going_; }
+  bool is_going(std::uint32_t i) { return n_open_[sets_.root(i)] > 0; }
+
+ private:
+  DisjointSets sets_{0};
+  std::vector<std::uint32_t> n_open_;  // by root
+  std::size_t n_going_ = 0;
+};
+
+}  // namespace
 
 std::vector<Piece> PieceFinder::find(const Change& change,
                                      const std::vector<bool>& is_open) {
   const auto& [freed, chosen, vertices] = change;
   if (is_in_patch_.empty()) find_large_patches(is_open);
-  if (breaks_patch(freed)) is_in_patch_.assign(surface_.n_vertices(), false);
   is_freed_.resize(surface_.n_indices());
   for (const TriangleIndex t : freed) is_freed_[t] = true;
   corners_.clear();
@@ -21,6 +53,7 @@ std::vector<Piece> PieceFinder::find(const Change& change,
                                           : a.triangle < b.triangle;
             });
 
+  doubt_patches(change);
   std::vector<Piece> pieces;
   n_pieces_ = kLarge;
   for (const LocatedTriangle& t : chosen) {
@@ -29,10 +62,17 @@ std::vector<Piece> PieceFinder::find(const Change& change,
     Piece piece;
     if (explore(start, change, is_open, piece)) pieces.push_back(piece);
   }
+  forget_reached();
+  for (const TriangleIndex t : freed) is_freed_[t] = false;
+  for (const VertexId v : doubted_) is_in_patch_[index(v)] = true;
+  doubted_.clear();
+  uses_patches_ = true;
+  return pieces;
+}
+
+void PieceFinder::forget_reached() {
   for (const VertexId v : reached_) piece_of_[index(v)] = kNotReached;
   reached_.clear();
-  for (const TriangleIndex t : freed) is_freed_[t] = false;
-  return pieces;
 }
 
 void PieceFinder::find_large_patches(const std::vector<bool>& is_open) {
@@ -50,14 +90,103 @@ void PieceFinder::find_large_patches(const std::vector<bool>& is_open) {
   }
   sets.add_at_roots(n_triangles);
   is_in_patch_.resize(n);
-  for (std::size_t v = 0; v < n; ++v)
-    is_in_patch_[v] = n_triangles[sets.root(v)] > limit_;
+  n_spare_ = surface_.n_indices();
+  for (std::size_t v = 0; v < n; ++v) {
+    const std::uint32_t root = sets.root(v);
+    is_in_patch_[v] = n_triangles[root] > limit_;
+    if (root != v || !is_in_patch_[v]) continue;
+    ++n_patches_;
+    n_spare_ = std::min(n_spare_, n_triangles[v] - limit_);
+  }
 }
 
-bool PieceFinder::breaks_patch(std::span<const TriangleIndex> freed) const {
-  return std::any_of(freed.begin(), freed.end(), [this](TriangleIndex t) {
-    return is_in_patch_[index(surface_.corners(t)[0])];
-  });
+/// If the change that may have torn one was made.
+void PieceFinder::drop_torn_patches() {
+  if (doubtful_ && !surface_.contains(*doubtful_)) {
+    is_in_patch_.assign(surface_.n_vertices(), false);
+    n_patches_ = 0;
+  }
+}
+
+/// Leaves no more of the patches than is in large pieces of the changed surface
+/// for certain.
+void PieceFinder::doubt_patches(const Change& change) {
+  const auto& freed = change.freed;
+  drop_torn_patches();
+  doubtful_.reset();
+  const bool touches_patch =
+      std::any_of(freed.begin(), freed.end(), [this](TriangleIndex t) {
+        return is_in_patch_[index(surface_.corners(t)[0])];
+      });
+  if (!touches_patch) return;
+  is_patch_touched_ = true;
+  const Tear tear = look_for_tear(change);
+  const std::size_t n_lost = freed.size() + tear.n_triangles;
+  uses_patches_ = tear.is_certain && n_lost < n_spare_;
+  for (const VertexId v : tear.cut_off)
+    if (is_in_patch_[index(v)]) {
+      is_in_patch_[index(v)] = false;
+      doubted_.push_back(v);
+    }
+  if (uses_patches_) n_spare_ -= freed.size();
+  if (!uses_patches_ || !doubted_.empty()) doubtful_ = freed.front();
+}
+
+/// Walks around the corners of the triangles that would go. Whatever is left of
+/// a piece has such a corner: so once all walks but one have come to an end or
+/// met another one, that is where the rest of it is.
+PieceFinder::Tear PieceFinder::look_for_tear(const Change& change) {
+  const std::size_t most = 64 + 16 * change.freed.size();  // vertices
+  Walks walks;
+  const auto enter = [&](VertexId v) {
+    std::uint32_t& step = piece_of_[index(v)];
+    if (step == kNotReached) {
+      reached_.push_back(v);
+      step = walks.add() + 1;
+    }
+    return step - 1;
+  };
+  for (const TriangleIndex t : change.freed)
+    for (const VertexId v : surface_.corners(t))
+      if (is_used(v, change)) enter(v);
+  Tear tear;
+  std::uint32_t i = 0;
+  for (; walks.n_going() > 1 && i < most; ++i) {
+    const VertexId v = reached_[i];
+    for_each_at(v, change, [&](const Triangle& t) {
+      for (const VertexId corner : t) walks.join(i, enter(corner));
+      tear.n_triangles += t[0] == v ? 1 : 0;
+    });
+    walks.finish_step(i);
+  }
+  tear.is_certain = walks.n_going() <= 1;
+  for (std::uint32_t k = 0; k < i; ++k)
+    if (!walks.is_going(k)) tear.cut_off.push_back(reached_[k]);
+  forget_reached();
+  return tear;
+}
+
+bool PieceFinder::is_one_piece() {
+  drop_torn_patches();
+  if (n_patches_ != 1) return false;
+  const std::size_t n = surface_.n_vertices();
+  DisjointSets sets(n + 1);  // the last one: vertices of the patch
+  const auto place = [&](VertexId v) {
+    return is_in_patch_[index(v)] ? n : index(v);
+  };
+  const auto join = [&](TriangleIndex t) {
+    const auto& [a, b, c] = surface_.corners(t);
+    sets.unite(place(a), place(b));
+    sets.unite(place(a), place(c));
+  };
+  for (std::uint32_t v = 0; v < n; ++v)
+    if (!is_in_patch_[v]) surface_.for_each_at(VertexId{v}, join);
+  const std::uint32_t root = sets.root(n);
+  for (std::uint32_t v = 0; v < n; ++v)
+    if (is_in_patch_[v] ? is_patch_touched_ && !surface_.is_used(VertexId{v})
+                        : sets.root(v) != root)
+      return false;
+  return true;
 }
 
 /// Calls visit for each triangle at v on the changed surface. @return whether a
@@ -77,6 +206,12 @@ bool PieceFinder::for_each_at(VertexId v, const Change& change,
   return at != first;
 }
 
+bool PieceFinder::is_used(VertexId v, const Change& change) const {
+  bool is_left = false;
+  return for_each_at(v, change, [&](const Triangle&) { is_left = true; }) ||
+         is_left;
+}
+
 /// Walks over all triangles that hang together with `start`; stops as soon as
 /// they are too many, or are known to be. @return whether the piece is small
 bool PieceFinder::explore(VertexId start, const Change& change,
@@ -89,7 +224,8 @@ bool PieceFinder::explore(VertexId start, const Change& change,
     const bool waits =
         is_open[index(v)] &&
         !std::binary_search(change.vertices.begin(), change.vertices.end(), v);
-    is_large = is_large || known == kLarge || is_in_patch_[index(v)] || waits;
+    is_large = is_large || known == kLarge || waits ||
+               (uses_patches_ && is_in_patch_[index(v)]);
     if (known != kNotReached) return;
     known = name;
     reached_.push_back(v);

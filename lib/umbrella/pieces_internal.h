@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -37,10 +38,18 @@ class PieceFinder {
   /// The pieces of at most `limit` triangles with a chosen one, on the changed
   /// surface; in the order of `chosen`.
   ///
+  /// @param change  made, if at all, before the next call
   /// @param is_open  vertices that wait for triangles, perhaps from this
   ///   change: a piece with one that still waits is not finished, and left out
   std::vector<Piece> find(const Change& change,
                           const std::vector<bool>& is_open);
+
+  /// Whether the surface as it is has one piece and goes through all vertices.
+  /// May be false as well where it takes a look at all of it to tell.
+  ///
+  /// @pre no vertex is open, and all changes since the first call of find()
+  ///   were looked at by it, or free triangles with open corners only
+  bool is_one_piece();
 
  private:
   static constexpr std::uint32_t kNotReached = 0;
@@ -51,10 +60,21 @@ class PieceFinder {
     std::uint32_t triangle;  // position in `chosen`
   };
 
+  /// What a change does to the pieces whose triangles it frees.
+  struct Tear {
+    bool is_certain = false;        // that no more than this is cut off
+    std::vector<VertexId> cut_off;  // pieces that are all known
+    std::size_t n_triangles = 0;    // at least as many as these have
+  };
+
   void find_large_patches(const std::vector<bool>& is_open);
-  bool breaks_patch(std::span<const TriangleIndex> freed) const;
+  void drop_torn_patches();
+  void doubt_patches(const Change& change);
+  Tear look_for_tear(const Change& change);
   template <class Visit>
   bool for_each_at(VertexId v, const Change& change, Visit visit) const;
+  bool is_used(VertexId v, const Change& change) const;
+  void forget_reached();
   bool explore(VertexId start, const Change& change,
                const std::vector<bool>& is_open, Piece& piece);
 
@@ -64,10 +84,16 @@ class PieceFinder {
   std::vector<VertexId> reached_;        // where that is not kNotReached
   std::vector<Corner> corners_;          // of `chosen`, by vertex
   std::vector<bool> is_freed_;
-  /// Vertices of triangles that hang together, without an open corner, and are
-  /// more than the limit: wherever a walk meets one, its piece is large. Found
-  /// in the first call, given up when a change frees some of the triangles.
+  /// Vertices of triangles that hung together in the first call, without an
+  /// open corner, and were more than the limit: wherever a walk meets one, its
+  /// piece is large.
   std::vector<bool> is_in_patch_;
+  std::size_t n_patches_ = 0;
+  std::size_t n_spare_ = 0;   // triangles of the least patch above the limit
+  bool uses_patches_ = true;  // in the call at hand
+  bool is_patch_touched_ = false;  // by a change that may have been made
+  std::vector<VertexId> doubted_;  // taken out of patches for the call at hand
+  std::optional<TriangleIndex> doubtful_;  // goes if a patch is perhaps torn
   std::uint32_t n_pieces_ = 0;
 };
 

@@ -65,21 +65,6 @@ std::vector<double> lower_lambdas(const Triangulation3& triangulation,
   return lambda;
 }
 
-/// Outward, as far as there is an outside.
-std::vector<IndexedTriangle> oriented_triangles(
-    const Triangulation3& triangulation,
-    std::span<const LocatedTriangle> triangles) {
-  std::vector<Triangle> corners(triangles.size());
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-    corners[t] = triangles[t].corners;
-  const auto oriented = orient(triangulation.points(), corners);
-  std::vector<IndexedTriangle> vertices(triangles.size());
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-    for (std::size_t i = 0; i < 3; ++i)
-      vertices[t][i] = static_cast<std::uint32_t>(oriented.triangles[t][i]);
-  return vertices;
-}
-
 class Pipeline {
  public:
   explicit Pipeline(const ReconstructOptions& options)
@@ -248,7 +233,7 @@ void Pipeline::finish(const Triangulation3& triangulation,
                       std::span<const RankedTriangle> ranked) {
   result_.triangles = timed("surface", result_.seconds.surface, [&] {
     result_.lambda = lower_lambdas(triangulation, spheres, triangles, ranked);
-    return oriented_triangles(triangulation, triangles);
+    return orient(triangulation.points(), triangles).triangles;
   });
   result_.surface = timed("certificate", result_.seconds.certificate, [&] {
     return check_surface(triangulation.points(), result_.triangles);

@@ -3,6 +3,7 @@
 #include <iterator>
 #include <limits>
 
+#include "predicates/predicates.h"
 #include "umbrella/disjoint_sets_internal.h"
 #include "umbrella/region_internal.h"
 
@@ -17,6 +18,13 @@ using delaunay::kFacetCorners;
 // Marks of vertices: sums of them over three corners count both.
 constexpr std::uint8_t kInRegion = 1;
 constexpr std::uint8_t kStuck = 4;
+
+constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+bool has_vertex(const Cell& cell, VertexId v) {
+  return std::find(cell.vertex.begin(), cell.vertex.end(), v) !=
+         cell.vertex.end();
+}
 
 }  // namespace
 
@@ -41,34 +49,34 @@ std::vector<VertexId> vertices_of(const Region& region,
 
 std::vector<Region> merge_holes(std::span<const Hole> holes,
                                 const WorkingSurface& surface) {
-  constexpr auto kNone = std::numeric_limits<std::size_t>::max();
   DisjointSets sets(holes.size());
-  std::vector<std::size_t> hole_of_vertex(surface.n_vertices(), kNone);
-  for (std::size_t h = 0; h < holes.size(); ++h)
+  std::vector<std::uint32_t> hole_of_vertex(surface.n_vertices(), kNone);
+  for (std::uint32_t h = 0; h < holes.size(); ++h)
     for (const VertexId v : holes[h].vertices) {
-      std::size_t& known = hole_of_vertex[index(v)];
+      std::uint32_t& known = hole_of_vertex[index(v)];
       if (known == kNone)
         known = h;
       else
         sets.unite(known, h);
     }
-  for (TriangleIndex t = 0; t < surface.n_indices(); ++t) {
-    std::array<std::size_t, 3> hole;
+  const auto join_corners = [&](TriangleIndex t) {
+    std::array<std::uint32_t, 3> hole;
     for (unsigned i = 0; i < 3; ++i)
       hole[i] = hole_of_vertex[index(surface.corners(t)[i])];
-    if (!surface.contains(t) || std::count(hole.begin(), hole.end(), kNone) > 0)
-      continue;
+    if (std::count(hole.begin(), hole.end(), kNone) > 0) return;
     sets.unite(hole[0], hole[1]);
     sets.unite(hole[0], hole[2]);
-  }
+  };
+  for (const Hole& hole : holes)
+    for (const VertexId v : hole.vertices) surface.for_each_at(v, join_corners);
 
   std::vector<Region> regions;
-  std::vector<std::size_t> region_of_set(holes.size(), kNone);
+  std::vector<std::uint32_t> region_of_set(holes.size(), kNone);
   for (std::size_t v = 0; v < hole_of_vertex.size(); ++v) {
     if (hole_of_vertex[v] == kNone) continue;
-    std::size_t& region = region_of_set[sets.root(hole_of_vertex[v])];
+    std::uint32_t& region = region_of_set[sets.root(hole_of_vertex[v])];
     if (region == kNone) {
-      region = regions.size();
+      region = static_cast<std::uint32_t>(regions.size());
       regions.emplace_back();
     }
     regions[region].vertices.push_back(VertexId{static_cast<std::uint32_t>(v)});
@@ -76,56 +84,129 @@ std::vector<Region> merge_holes(std::span<const Hole> holes,
   return regions;
 }
 
-CellSet::CellSet(const delaunay::Triangulation3& triangulation)
+CellSet::CellSet(const delaunay::Triangulation3& triangulation,
+                 const WorkingSurface& surface)
     : triangulation_(triangulation),
-      cell_of_vertex_(triangulation.points().size()),
-      place_(triangulation.n_finite_cells()),
-      is_wanted_(triangulation.points().size()) {
-  for (std::size_t c = 0; c < triangulation.n_finite_cells(); ++c)
-    for (const VertexId v : triangulation.cells()[c].vertex)
-      cell_of_vertex_[index(v)] = CellId{static_cast<std::uint32_t>(c)};
+      surface_(surface),
+      marks_(triangulation.points().size()) {}
+
+/// Where the cell is found, or would be put.
+std::size_t CellSet::slot(CellId c) const {
+  constexpr std::uint64_t kGolden = 0x9e37'79b9'7f4a'7c15;  // 2^64 / 1.618
+  std::size_t s = (index(c) * kGolden >> 32U) & (slots_.size() - 1);
+  while (slots_[s] != kNone && cells_[slots_[s]] != c)
+    s = (s + 1) & (slots_.size() - 1);
+  return s;
 }
 
 std::uint32_t CellSet::position(CellId c) const {
-  if (index(c) >= place_.size())
-    return static_cast<std::uint32_t>(cells_.size());
-  return is_there(c) ? place_[index(c)]
-                     : std::numeric_limits<std::uint32_t>::max();
+  return is_finite(c) ? slots_[slot(c)]
+                      : static_cast<std::uint32_t>(cells_.size());
 }
 
 /// The finite cells at a vertex hang together by facets there, so it is enough
 /// to go on from one of them.
 void CellSet::collect(std::span<const VertexId> vertices) {
+  constexpr std::size_t kLeastSlots = 256;  // a power of two
   cells_.clear();
-  for (const VertexId v : vertices) is_wanted_[index(v)] = 1;
-  std::size_t next = 0;
-  for (const VertexId v : vertices) {
-    enter(cell_of_vertex_[index(v)]);
-    while (next < cells_.size())
-      enter_neighbors(triangulation_.cell(cells_[next++]));
-  }
-  for (const VertexId v : vertices) is_wanted_[index(v)] = 0;
+  n_done_ = 0;
+  slots_.assign(kLeastSlots, kNone);
+  for (const VertexId v : vertices) marks_[index(v)] = Mark::Wanted;
+  for (const VertexId v : vertices)
+    if (marks_[index(v)] != Mark::Met)
+      if (const auto c = cell_on_surface(v)) enter_all_from(*c);
+  for (const VertexId v : vertices)
+    if (marks_[index(v)] != Mark::Met) enter_all_from(cell_by_walk(v));
+  for (const VertexId v : vertices) marks_[index(v)] = Mark::None;
+}
+
+void CellSet::enter_all_from(CellId c) {
+  enter(c);
+  while (n_done_ < cells_.size())
+    enter_neighbors(triangulation_.cell(cells_[n_done_++]));
 }
 
 void CellSet::enter(CellId c) {
-  if (index(c) >= place_.size() || is_there(c)) return;
+  if (!is_finite(c)) return;
+  const std::size_t s = slot(c);
+  if (slots_[s] != kNone) return;
   __builtin_prefetch(&triangulation_.cell(c));
-  place_[index(c)] = static_cast<std::uint32_t>(cells_.size());
+  slots_[s] = static_cast<std::uint32_t>(cells_.size());
   cells_.push_back(c);
+  if (2 * cells_.size() > slots_.size()) widen();
+}
+
+void CellSet::widen() {
+  slots_.assign(2 * slots_.size(), kNone);
+  for (std::uint32_t p = 0; p < cells_.size(); ++p) slots_[slot(cells_[p])] = p;
 }
 
 /// Those across a facet with a wanted corner.
 void CellSet::enter_neighbors(const Cell& cell) {
+  std::array<bool, 4> is_wanted;
   unsigned n_wanted = 0;
-  for (const VertexId v : cell.vertex) n_wanted += is_wanted_[index(v)];
+  for (unsigned i = 0; i < 4; ++i) {
+    Mark& mark = marks_[index(cell.vertex[i])];
+    is_wanted[i] = mark != Mark::None;
+    n_wanted += is_wanted[i] ? 1 : 0;
+    if (is_wanted[i]) mark = Mark::Met;
+  }
   for (unsigned i = 0; i < 4; ++i)
-    if (n_wanted > is_wanted_[index(cell.vertex[i])])
-      enter(cell.neighbor[i].cell());
+    if (n_wanted > (is_wanted[i] ? 1U : 0U)) enter(cell.neighbor[i].cell());
 }
 
-Neighborhoods::Neighborhoods(const delaunay::Triangulation3& triangulation)
+std::optional<CellId> CellSet::cell_on_surface(VertexId v) const {
+  std::optional<CellId> result;
+  surface_.for_each_at(v, [&](TriangleIndex t) {
+    const CellId c = surface_.triangle(t).facet.cell();
+    if (has_vertex(triangulation_.cell(c), v)) result = c;
+  });
+  return result;
+}
+
+/// At a vertex with triangles whose id is near: it is near in space, too.
+CellId CellSet::cell_near(VertexId v) const {
+  const std::size_t n = marks_.size();
+  for (std::size_t step = 1; step < n; ++step)
+    for (const std::size_t u : {index(v) - step, index(v) + step}) {
+      if (u >= n) continue;
+      if (const auto c =
+              cell_on_surface(VertexId{static_cast<std::uint32_t>(u)}))
+        return *c;
+    }
+  return CellId{0};
+}
+
+/// Across facets with v beyond, which never leads in a circle in a Delaunay
+/// triangulation [Devillers02]. In a flat cell that has v in its plane there
+/// may be none: then all cells are looked at.
+CellId CellSet::cell_by_walk(VertexId v) const {
+  CellId at = cell_near(v);
+  while (!has_vertex(triangulation_.cell(at), v)) {
+    const Cell& cell = triangulation_.cell(at);
+    unsigned i = 0;
+    while (i < 4 && !is_beyond(cell, i, v)) ++i;
+    if (i == 4) break;
+    at = cell.neighbor[i].cell();
+  }
+  for (std::uint32_t c = 0; !has_vertex(triangulation_.cell(at), v); ++c)
+    at = CellId{c};
+  return at;
+}
+
+/// Whether v is strictly beyond facet i.
+bool CellSet::is_beyond(const Cell& cell, unsigned i, VertexId v) const {
+  std::array<const double*, 4> corners;
+  for (unsigned k = 0; k < 4; ++k)
+    corners[k] = triangulation_.point(k == i ? v : cell.vertex[k]).data();
+  return predicates::orient3d(corners[0], corners[1], corners[2], corners[3]) <
+         0;
+}
+
+Neighborhoods::Neighborhoods(const delaunay::Triangulation3& triangulation,
+                             const WorkingSurface& surface)
     : triangulation_(triangulation),
-      cells_(triangulation),
+      cells_(triangulation, surface),
       mark_(triangulation.points().size()) {}
 
 std::vector<LocatedTriangle> Neighborhoods::candidates(const Region& region) {

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -39,7 +40,9 @@ std::vector<VertexId> united(std::span<const VertexId> a,
 /// how the triangulation numbers them.
 class CellSet {
  public:
-  explicit CellSet(const delaunay::Triangulation3& triangulation);
+  /// @param surface  knows a cell at most vertices; both must outlive this
+  CellSet(const delaunay::Triangulation3& triangulation,
+          const WorkingSurface& surface);
 
   /// Puts the cells at these vertices in place of those before.
   void collect(std::span<const VertexId> vertices);
@@ -57,25 +60,34 @@ class CellSet {
   }
 
  private:
-  bool is_there(delaunay::CellId c) const {
-    const std::uint32_t place = place_[index(c)];
-    return place < cells_.size() && cells_[place] == c;
+  enum class Mark : std::uint8_t { None, Wanted, Met };
+
+  bool is_finite(delaunay::CellId c) const {
+    return index(c) < triangulation_.n_finite_cells();
   }
+  std::size_t slot(delaunay::CellId c) const;
   void enter(delaunay::CellId c);
+  void enter_all_from(delaunay::CellId c);
   void enter_neighbors(const delaunay::Cell& cell);
+  void widen();
+  std::optional<delaunay::CellId> cell_on_surface(VertexId v) const;
+  delaunay::CellId cell_by_walk(VertexId v) const;
+  delaunay::CellId cell_near(VertexId v) const;
+  bool is_beyond(const delaunay::Cell& cell, unsigned i, VertexId v) const;
 
   const delaunay::Triangulation3& triangulation_;
-  std::vector<delaunay::CellId> cell_of_vertex_;
+  const WorkingSurface& surface_;
   std::vector<delaunay::CellId> cells_;
-  /// Of a cell within the hull: where it is in `cells_`, if it is there.
-  std::vector<std::uint32_t> place_;
-  std::vector<std::uint8_t> is_wanted_;  // by vertex, zero between calls
+  std::size_t n_done_ = 0;            // whose neighbors were looked at
+  std::vector<std::uint32_t> slots_;  // hashed positions in `cells_`
+  std::vector<Mark> marks_;           // by vertex, none between calls
 };
 
 /// Walks about the vertices of a triangulation.
 class Neighborhoods {
  public:
-  explicit Neighborhoods(const delaunay::Triangulation3& triangulation);
+  Neighborhoods(const delaunay::Triangulation3& triangulation,
+                const WorkingSurface& surface);
 
   /// The candidate triangles of a region, by ascending corners.
   std::vector<LocatedTriangle> candidates(const Region& region);

@@ -82,6 +82,9 @@ class RegionSolver {
   /// so of a solved attempt once other regions are done with.
   bool closes_fragment(const Attempt& solved);
 
+  /// PieceFinder::is_one_piece.
+  bool is_one_piece() { return piece_finder_.is_one_piece(); }
+
   /// All vertices the program of the region would have; ascending.
   std::vector<VertexId> vertices(const Region& region);
 

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "umbrella/circumradius_internal.h"
+#include "umbrella/closed_sweep_internal.h"
 #include "umbrella/incidence_internal.h"
 
 namespace umbrella {
@@ -20,7 +21,7 @@ constexpr bool runs_up(Side s) { return s % 3 != 1; }
 /// Which sides lie on one edge: each knows the next, and the last the first.
 class Edges {
  public:
-  Edges(std::size_t n_vertices, std::span<const Triangle> triangles)
+  Edges(std::size_t n_vertices, std::span<const LocatedTriangle> triangles)
       : next_(3 * triangles.size()) {
     std::iota(next_.begin(), next_.end(), Side{0});
     std::vector<std::uint32_t> first;  // of the edges up from a vertex
@@ -60,19 +61,19 @@ class Edges {
   };
 
   /// @param first  where those of a vertex begin, and the end
-  static std::vector<Upward> by_low_end(std::size_t n_vertices,
-                                        std::span<const Triangle> triangles,
-                                        std::vector<std::uint32_t>& first) {
+  static std::vector<Upward> by_low_end(
+      std::size_t n_vertices, std::span<const LocatedTriangle> triangles,
+      std::vector<std::uint32_t>& first) {
     first.assign(n_vertices + 1, 0);
-    for (const Triangle& t : triangles) {
-      first[index(t[0])] += 2;
-      first[index(t[1])] += 1;
+    for (const auto& [corners, facet] : triangles) {
+      first[index(corners[0])] += 2;
+      first[index(corners[1])] += 1;
     }
     for (std::uint32_t v = 0, sum = 0; v <= n_vertices; ++v)
       first[v] = sum += first[v];
     std::vector<Upward> result(3 * triangles.size());
     for (auto t = static_cast<TriangleIndex>(triangles.size()); t-- > 0;) {
-      const auto& [a, b, c] = triangles[t];
+      const auto& [a, b, c] = triangles[t].corners;
       result[--first[index(a)]] = {b, 3 * t + 2};
       result[--first[index(a)]] = {c, 3 * t + 1};
       result[--first[index(b)]] = {c, 3 * t};
@@ -91,10 +92,18 @@ double signed_volume(std::span<const Point3> points, const Triangle& t,
   return dot(corner(0), cross(corner(1), corner(2)));
 }
 
+OrientedTriangle directed(const Triangle& t, bool is_turned) {
+  const auto a = static_cast<std::uint32_t>(t[0]);
+  const auto b = static_cast<std::uint32_t>(t[1]);
+  const auto c = static_cast<std::uint32_t>(t[2]);
+  return {a, is_turned ? c : b, is_turned ? b : c};
+}
+
+/// A walk from triangle to triangle, of any set of them.
 class Orientation {
  public:
   Orientation(std::span<const Point3> points,
-              std::span<const Triangle> triangles)
+              std::span<const LocatedTriangle> triangles)
       : points_(points),
         triangles_(triangles),
         edges_(points.size(), triangles),
@@ -110,11 +119,9 @@ class Orientation {
       spread(t, result.is_closed);
     }
     result.triangles.reserve(triangles_.size());
-    for (TriangleIndex t = 0; t < triangles_.size(); ++t) {
-      const auto& [a, b, c] = triangles_[t];
-      const bool is_turned = turned_[t] == 1;
-      result.triangles.push_back({a, is_turned ? c : b, is_turned ? b : c});
-    }
+    for (TriangleIndex t = 0; t < triangles_.size(); ++t)
+      result.triangles.push_back(
+          directed(triangles_[t].corners, turned_[t] == 1));
     return result;
   }
 
@@ -123,13 +130,14 @@ class Orientation {
 
   /// Orients the component of `start`.
   void spread(TriangleIndex start, bool& is_closed) {
-    const Point3& origin = points_[index(triangles_[start][0])];
+    const Point3& origin = points_[index(triangles_[start].corners[0])];
     double volume = 0;
     component_ = {start};
     turned_[start] = 0;
     for (std::size_t next = 0; next < component_.size(); ++next) {
       const TriangleIndex t = component_[next];
-      const double part = signed_volume(points_, triangles_[t], origin, scale_);
+      const double part =
+          signed_volume(points_, triangles_[t].corners, origin, scale_);
       volume += turned_[t] == 1 ? -part : part;
       for (std::uint32_t i = 0; i < 3; ++i)
         is_closed = carry_over(3 * t + i) && is_closed;
@@ -156,17 +164,56 @@ class Orientation {
   }
 
   std::span<const Point3> points_;
-  std::span<const Triangle> triangles_;
+  std::span<const LocatedTriangle> triangles_;
   Edges edges_;
   std::vector<std::uint8_t> turned_;  // 1: against its ascending corners
   double scale_;
   std::vector<TriangleIndex> component_;
 };
 
+/// Of the i-th component: whether its volume is negative.
+std::vector<bool> inside_out(std::span<const Point3> points,
+                             std::span<const LocatedTriangle> triangles,
+                             const TurnedTriangles& turned) {
+  struct Component {
+    const Point3* origin = nullptr;
+    double volume = 0;
+  };
+  const double scale = power_of_two_scale(points);
+  std::vector<Component> components(turned.n_components());
+  for (TriangleIndex t = 0; t < triangles.size(); ++t) {
+    auto& [origin, volume] = components[turned.component(t)];
+    const Triangle& corners = triangles[t].corners;
+    if (origin == nullptr) origin = &points[index(corners[0])];
+    const double part = signed_volume(points, corners, *origin, scale);
+    volume += turned.is_turned(t) ? -part : part;
+  }
+  std::vector<bool> result;
+  for (const Component& c : components) result.push_back(c.volume < 0);
+  return result;
+}
+
+OrientedSurface turned_outward(std::span<const Point3> points,
+                               std::span<const LocatedTriangle> triangles,
+                               const TurnedTriangles& turned) {
+  const std::vector<bool> is_inside_out = inside_out(points, triangles, turned);
+  OrientedSurface result;
+  result.is_closed = !triangles.empty();
+  result.n_components = turned.n_components();
+  result.triangles.reserve(triangles.size());
+  for (TriangleIndex t = 0; t < triangles.size(); ++t)
+    result.triangles.push_back(
+        directed(triangles[t].corners,
+                 turned.is_turned(t) != is_inside_out[turned.component(t)]));
+  return result;
+}
+
 }  // namespace
 
 OrientedSurface orient(std::span<const Point3> points,
-                       std::span<const Triangle> triangles) {
+                       std::span<const LocatedTriangle> triangles) {
+  if (const auto turned = sweep_closed(points.size(), triangles))
+    return turned_outward(points, triangles, *turned);
   return Orientation(points, triangles).run();
 }
 

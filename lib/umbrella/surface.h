@@ -2,7 +2,9 @@
 /// From a set of triangles to an oriented surface.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -10,8 +12,8 @@
 
 namespace umbrella {
 
-/// Corners counter-clockwise seen from outside; the smallest id first.
-using OrientedTriangle = std::array<VertexId, 3>;
+/// Ids of corners, counter-clockwise seen from outside; the smallest first.
+using OrientedTriangle = std::array<std::uint32_t, 3>;
 
 struct OrientedSurface {
   std::vector<OrientedTriangle> triangles;  ///< in the order of the input
@@ -29,6 +31,6 @@ struct OrientedSurface {
 /// @param points  corners are positions in it
 /// @param triangles  distinct
 OrientedSurface orient(std::span<const Point3> points,
-                       std::span<const Triangle> triangles);
+                       std::span<const LocatedTriangle> triangles);
 
 }  // namespace umbrella

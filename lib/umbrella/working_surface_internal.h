@@ -59,6 +59,13 @@ class WorkingSurface {
       if (contains(i / 3)) visit(TriangleIndex{i / 3});
   }
 
+  /// Whether there is a triangle at v.
+  bool is_used(VertexId v) const {
+    std::uint32_t i = head_[index(v)];
+    while (i != kEnd && !contains(i / 3)) i = next_[i];
+    return i != kEnd;
+  }
+
   /// Calls visit(TriangleIndex) for each triangle that was not given at first.
   template <class Visit>
   void for_each_added(Visit visit) const {
@@ -66,34 +73,31 @@ class WorkingSurface {
       if (is_there_[t] != 0) visit(static_cast<TriangleIndex>(t));
   }
 
-  /// All triangles, by ascending corners. Those given mostly are in that order,
-  /// so only the others are sorted.
+  /// All triangles, by ascending corners. Those given are in that order most
+  /// often, so only the others are sorted.
   std::vector<LocatedTriangle> sorted() const {
     const auto before = [](const LocatedTriangle& a, const LocatedTriangle& b) {
       return a.corners < b.corners;
     };
-    const std::vector<LocatedTriangle> given = present(0, n_given_, before);
-    const std::vector<LocatedTriangle> added =
-        present(n_given_, triangles_.size(), before);
-    std::vector<LocatedTriangle> result(given.size() + added.size());
-    std::merge(given.begin(), given.end(), added.begin(), added.end(),
-               result.begin(), before);
-    return result;
-  }
-
- private:
-  template <class Before>
-  std::vector<LocatedTriangle> present(std::size_t begin, std::size_t end,
-                                       Before before) const {
+    std::vector<LocatedTriangle> added;
+    for_each_added([&](TriangleIndex t) { added.push_back(triangles_[t]); });
+    std::sort(added.begin(), added.end(), before);
     std::vector<LocatedTriangle> result;
-    result.reserve(end - begin);
-    for (std::size_t t = begin; t < end; ++t)
-      if (is_there_[t] != 0) result.push_back(triangles_[t]);
+    result.reserve(n_given_ + added.size());
+    auto next = added.begin();
+    for (std::size_t t = 0; t < n_given_; ++t) {
+      if (is_there_[t] == 0) continue;
+      while (next != added.end() && before(*next, triangles_[t]))
+        result.push_back(*next++);
+      result.push_back(triangles_[t]);
+    }
+    result.insert(result.end(), next, added.end());
     if (!std::is_sorted(result.begin(), result.end(), before))
       std::sort(result.begin(), result.end(), before);
     return result;
   }
 
+ private:
   static constexpr std::uint32_t kEnd =
       std::numeric_limits<std::uint32_t>::max();
 
