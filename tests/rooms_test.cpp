@@ -81,7 +81,6 @@ class Setting {
          locate_faces(triangulation_, Circumspheres(triangulation_), faces)
              .triangles) {
       surface_.push_back({t.corners, t.facet});
-      working_.add(surface_.back());
       on_surface_.insert(t.corners);
     }
   }
@@ -94,7 +93,7 @@ class Setting {
   }
 
   delaunay::Triangulation3 triangulation_;
-  WorkingSurface working_;
+  WorkingSurface working_;  // without triangles
   Neighborhoods neighborhoods_;
   std::vector<LocatedTriangle> surface_;
   std::set<Triangle> on_surface_;

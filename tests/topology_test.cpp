@@ -137,7 +137,7 @@ std::vector<Point3> two_spheres(double gap, std::uint64_t seed) {
 }
 
 TEST(PointGroups, ArePartedByGapsOnly) {
-  for (const double gap : {0.5, 2.0, 4.0}) {
+  for (const double gap : {0.5, 2.5, 4.0}) {
     SCOPED_TRACE(testing::Message() << "gap " << gap);
     const delaunay::Triangulation3 triangulation(two_spheres(gap, 3));
     const auto ranked = ranked_triangles(triangulation);
