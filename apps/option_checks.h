@@ -41,6 +41,7 @@ template <class Target, class Value>
 void add_choice(CLI::App& sub, const OptionText& text, Target& target,
                 const std::vector<std::pair<std::string, Value>>& choices) {
   std::vector<std::string> names;
+  names.reserve(choices.size());
   for (const auto& choice : choices) names.push_back(choice.first);
   sub.add_option_function<std::string>(
          text.name,
