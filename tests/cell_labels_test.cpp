@@ -15,6 +15,7 @@
 #include "umbrella/clean_up.h"
 #include "umbrella/criterion.h"
 #include "umbrella/filter.h"
+#include "umbrella/labelling_internal.h"
 
 namespace umbrella {
 namespace {
@@ -263,6 +264,27 @@ TEST(CellLabels, DissolveSmallPieces) {
   EXPECT_EQ(expect_sound(t, joined).components, 1U);
   EXPECT_TRUE(joined.left_out.empty());
   EXPECT_EQ(joined.report.dissolved, 4U);
+}
+
+/// Where labels decide nearly all, the numbers of cells must not.
+TEST(CellLabels, GiveTheSameSurfaceForAnyNumberOfThreads) {
+  const auto points = tests::make_points<3>(tests::Family::Uniform, 9000, 5);
+  std::vector<CellLabelResult> results;
+  for (const unsigned threads : {1U, 2U, 3U}) {
+    const Triangulation3 t(points, threads);
+    results.push_back(
+        close_by_cell_labels(t, certain_triangles(t), all_vertices(t)));
+    expect_sound(t, results.back());
+    for (const auto& [corners, facet] : results.back().triangles)
+      ASSERT_EQ(sorted_corners(t, facet), corners);
+  }
+  const auto corners = [](const CellLabelResult& result) {
+    std::vector<Triangle> all;
+    for (const LocatedTriangle& t : result.triangles) all.push_back(t.corners);
+    return all;
+  };
+  for (std::size_t i = 1; i < results.size(); ++i)
+    EXPECT_EQ(corners(results[i]), corners(results[0]));
 }
 
 }  // namespace

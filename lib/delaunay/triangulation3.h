@@ -95,6 +95,8 @@ class Triangulation3 {
   const Counters& counters() const { return counters_; }
 
  private:
+  friend class CanonicalCells;  // copies, and numbers the cells of the copy
+
   LazyVector<Point3> points_;
   std::vector<VertexId> vertex_of_row_;
   LazyVector<Cell> cells_;

@@ -3,8 +3,9 @@
 // so. Each step is deterministic, and has a proof of its end in docs/labels.md.
 #include "umbrella/cell_labels.h"
 
-#include <algorithm>
+#include <vector>
 
+#include "delaunay/canonical_cells.h"
 #include "umbrella/label_frame_internal.h"
 #include "umbrella/label_mending_internal.h"
 #include "umbrella/label_moves_internal.h"
@@ -22,14 +23,12 @@ bool has_faults(Labelling& labels) {
   return false;
 }
 
-}  // namespace
-
-CellLabelResult close_by_cell_labels(
-    const delaunay::Triangulation3& triangulation,
-    std::span<const LocatedTriangle> kept, std::span<const VertexId> open,
-    const CellLabelOptions& options) {
+/// Ties go by the numbers of cells here.
+CellLabelResult close_canonical(const delaunay::Triangulation3& triangulation,
+                                std::span<const LocatedTriangle> kept,
+                                std::span<const VertexId> open,
+                                const CellLabelOptions& options) {
   CellLabelResult result;
-  if (triangulation.dimension() < 3) return result;
   LabelFrame frame(triangulation, options.weight, kept, open);
   Labelling labels(triangulation);
   label_worst_first(frame, kept, labels);
@@ -58,6 +57,23 @@ CellLabelResult close_by_cell_labels(
   result.left_out = unused_vertices(labels);
   for (const LocatedTriangle& t : kept)
     result.report.given_up += labels.is_on_surface(t.facet) ? 0 : 1;
+  return result;
+}
+
+}  // namespace
+
+CellLabelResult close_by_cell_labels(
+    const delaunay::Triangulation3& triangulation,
+    std::span<const LocatedTriangle> kept, std::span<const VertexId> open,
+    const CellLabelOptions& options) {
+  if (triangulation.dimension() < 3) return {};
+  const delaunay::CanonicalCells cells(triangulation);
+  std::vector<LocatedTriangle> located(kept.begin(), kept.end());
+  for (LocatedTriangle& t : located) t.facet = cells.from_original(t.facet);
+  CellLabelResult result =
+      close_canonical(cells.triangulation(), located, open, options);
+  for (LocatedTriangle& t : result.triangles)
+    t.facet = cells.to_original(t.facet);
   return result;
 }
 

@@ -58,6 +58,9 @@ class CellSet {
   delaunay::Facet opposite(delaunay::Facet facet) const {
     return triangulation_.cell(facet.cell()).neighbor[facet.index()];
   }
+  VertexId apex(delaunay::Facet facet) const {
+    return triangulation_.cell(facet.cell()).vertex[facet.index()];
+  }
 
  private:
   enum class Mark : std::uint8_t { None, Wanted, Met };

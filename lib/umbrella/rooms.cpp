@@ -31,6 +31,12 @@ class Rooms {
   void mark(Facet facet, Kind kind);
   bool join_known();
   bool is_known(const Cell& cell, unsigned i) const;
+  /// The same from both sides, so that the program, and the way that a search
+  /// takes, do not depend on how cells are numbered.
+  Facet lower_side(Facet facet) const {
+    const Facet other = cells_.opposite(facet);
+    return cells_.apex(facet) < cells_.apex(other) ? facet : other;
+  }
   bool is_program_vertex(VertexId v) const {
     return std::binary_search(triangles_.vertices.begin(),
                               triangles_.vertices.end(), v);
@@ -82,19 +88,25 @@ std::vector<ilp::Wall> Rooms::walls() {
   mark(triangles_.fixed, Kind::Fixed);
   mark(triangles_.candidates, Kind::Candidate);
   if (!join_known()) return {};
-  std::vector<std::uint32_t> name(cells_.cells().size() + 1, kNone);
+  // The room of a set, and the parity in it of the cell that named it.
+  struct Name {
+    std::uint32_t room = kNone;
+    std::uint32_t parity = 0;
+  };
+  std::vector<Name> names(cells_.cells().size() + 1);
   std::uint32_t n_rooms = 0;
-  const auto room = [&](std::uint32_t root) {
-    if (name[root] == kNone) name[root] = n_rooms++;
-    return name[root];
+  const auto named = [&](const ParitySets::Place& cell) {
+    Name& name = names[cell.root];
+    if (name.room == kNone) name = {n_rooms++, cell.parity};
+    return Name{name.room, name.parity ^ cell.parity};
   };
   std::vector<ilp::Wall> walls;
   for (std::uint32_t i = 0; i < triangles_.candidates.size(); ++i) {
-    const Facet facet = triangles_.candidates[i].facet;
-    const auto a = sides_.find(cells_.position(facet.cell()));
-    const auto b = sides_.find(cells_.position(cells_.opposite(facet).cell()));
-    walls.push_back(
-        {ilp::VarId{i}, room(a.root), room(b.root), a.parity != b.parity});
+    const Facet facet = lower_side(triangles_.candidates[i].facet);
+    const Name a = named(sides_.find(cells_.position(facet.cell())));
+    const Name b =
+        named(sides_.find(cells_.position(cells_.opposite(facet).cell())));
+    walls.push_back({ilp::VarId{i}, a.room, b.room, a.parity != b.parity});
   }
   return walls;
 }
