@@ -213,7 +213,7 @@ CleanUpResult CleanUp::result() const {
   CleanUpResult result;
   const auto n_alive = static_cast<std::size_t>(
       std::count(fate_.begin(), fate_.end(), Fate::Alive));
-  reserve_pages(result.triangles, n_alive);
+  result.triangles.reserve(n_alive);
   result.deleted.reserve(triangles_.size() - n_alive);
   for (TriangleIndex t = 0; t < triangles_.size(); ++t) {
     const bool is_alive = fate_[t] == Fate::Alive;

@@ -92,7 +92,7 @@ std::vector<RankedTriangle> ranked(
     const delaunay::Triangulation3& triangulation, const Circumspheres& spheres,
     const C& criterion, const FacetsByCorners& facets, IndexRange lowest) {
   std::vector<RankedTriangle> triangles;
-  reserve_pages(triangles, facets.count(lowest));
+  triangles.reserve(facets.count(lowest));
   std::vector<FacetRadii> radii;
   FacetsByCorners::Walk walk(facets, lowest);
   for (auto block = walk.next(); !block.empty(); block = walk.next()) {

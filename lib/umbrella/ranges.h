@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "delaunay/lazy_vector.h"
 #include "delaunay/threads.h"
 
 namespace umbrella {
@@ -37,14 +36,6 @@ auto for_ranges(std::size_t n, unsigned threads, const Work& work) {
         results[i] = work(IndexRange{n * i / n_ranges, n * (i + 1) / n_ranges});
       });
   return results;
-}
-
-/// Room for n, in huge pages if there are any: an array that is new to the
-/// process costs the system a third of the time then.
-template <class T>
-void reserve_pages(std::vector<T>& array, std::size_t n) {
-  array.reserve(n);
-  delaunay::advise_huge_pages(array.data(), n * sizeof(T));
 }
 
 /// One after another; each is freed once it is copied.

@@ -19,7 +19,7 @@ FilterResult Choices::among(std::span<const RankedTriangle> triangles) && {
   std::size_t n = 0;
   for (const std::uint64_t word : words_)
     n += static_cast<std::size_t>(std::popcount(word));
-  reserve_pages(result.triangles, n);
+  result.triangles.reserve(n);
   std::vector<std::uint32_t> degree(size_.size());
   for (TriangleIndex t = 0; t < triangles.size(); ++t) {
     if (!holds(t)) continue;
