@@ -275,8 +275,11 @@ TEST(CellLabels, GiveTheSameSurfaceForAnyNumberOfThreads) {
     results.push_back(
         close_by_cell_labels(t, certain_triangles(t), all_vertices(t)));
     expect_sound(t, results.back());
-    for (const auto& [corners, facet] : results.back().triangles)
+    for (const auto& [corners, facet] : results.back().triangles) {
       ASSERT_EQ(sorted_corners(t, facet), corners);
+      ASSERT_LT(facet.cell(),
+                t.cell(facet.cell()).neighbor[facet.index()].cell());
+    }
   }
   const auto corners = [](const CellLabelResult& result) {
     std::vector<Triangle> all;

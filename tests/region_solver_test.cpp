@@ -79,7 +79,7 @@ struct Hull {
   }
 
   std::vector<LocatedTriangle> candidates() const {
-    return Neighborhoods(triangulation)
+    return Neighborhoods(triangulation, surface)
         .candidates({.vertices = inner, .stuck = {}});
   }
 

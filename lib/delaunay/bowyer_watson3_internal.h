@@ -92,9 +92,6 @@ class alignas(128) BowyerWatson3 {  // shares no cache line with another
   void link(Facet a, Facet b);
 
   const double* at(VertexId v) const { return sites_[index(v)].at.data(); }
-  Site& site(VertexId v) {
-    return v == kInfinite ? infinite_site_ : sites_[index(v)];
-  }
 
   Mesh3& mesh_;
   Site* sites_;  // of the mesh

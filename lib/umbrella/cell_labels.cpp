@@ -60,6 +60,13 @@ CellLabelResult close_canonical(const delaunay::Triangulation3& triangulation,
   return result;
 }
 
+delaunay::Facet in_lower_cell(const delaunay::Triangulation3& triangulation,
+                              delaunay::Facet f) {
+  const delaunay::Facet other =
+      triangulation.cell(f.cell()).neighbor[f.index()];
+  return other.cell() < f.cell() ? other : f;
+}
+
 }  // namespace
 
 CellLabelResult close_by_cell_labels(
@@ -69,11 +76,13 @@ CellLabelResult close_by_cell_labels(
   if (triangulation.dimension() < 3) return {};
   const delaunay::CanonicalCells cells(triangulation);
   std::vector<LocatedTriangle> located(kept.begin(), kept.end());
-  for (LocatedTriangle& t : located) t.facet = cells.from_original(t.facet);
+  for (LocatedTriangle& t : located)
+    t.facet =
+        in_lower_cell(cells.triangulation(), cells.from_original(t.facet));
   CellLabelResult result =
       close_canonical(cells.triangulation(), located, open, options);
   for (LocatedTriangle& t : result.triangles)
-    t.facet = cells.to_original(t.facet);
+    t.facet = in_lower_cell(triangulation, cells.to_original(t.facet));
   return result;
 }
 

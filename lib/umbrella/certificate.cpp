@@ -277,8 +277,7 @@ class UmbrellaCheck {
 
 /// Of each triangle: its component, counted from 0.
 ///
-/// @param root  of each triangle: the same for all of a component, and less
-/// than
+/// @param root  of each triangle: the same for all of a component, and below
 ///   n_roots
 template <class Root>
 std::vector<std::uint32_t> name_components(std::size_t n_triangles,

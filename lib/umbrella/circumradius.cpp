@@ -276,6 +276,9 @@ ExactRatio squared_circumradius_ratio(const std::array<Point3, 4>& abcd) {
 Enclosure enclosure(const Origin& origin) {
   if (origin.circle_only) return circle_enclosure(origin.points);
   const auto [quotient, error] = pair_lambda(origin.points);
+  // Nothing is known where 0 was divided by 0.
+  if (!(quotient.hi >= 0))
+    return {0, 0, std::numeric_limits<double>::infinity()};
   return {quotient.hi, quotient.lo, error};
 }
 

@@ -14,7 +14,8 @@ namespace umbrella {
 
 struct CleanUpOptions {
   /// Closed pieces of at most this many triangles are dissolved at the end:
-  /// mostly tetrahedra that block their surroundings.
+  /// mostly tetrahedra that block their surroundings. The time grows with the
+  /// square of it.
   std::size_t largest_dissolved = 12;
 };
 

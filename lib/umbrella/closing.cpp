@@ -307,6 +307,8 @@ bool Closing::allow_pieces(Task& task) {
   }
   if (last.outcome != Outcome::Solved && last.outcome != Outcome::Banned)
     return false;
+  // Others may have been looked at since; what is made has to be the last.
+  (void)solver_.closes_fragment(last);
   accept(last);
   return true;
 }

@@ -63,7 +63,8 @@ struct ClosingOptions {
   double joined_part = 0.4;
   /// Once the surface is closed, handles that a loop of at most so many edges
   /// goes round are removed where a surface through the same points has none,
-  /// but for tubes, which have four such loops or more; 0 to keep all.
+  /// if the closing may have made one: not in tubes, which have four such loops
+  /// or more. 0 to keep all.
   unsigned handle_edges = 5;
   /// Regions are solved on so many threads, with the same result for any
   /// number; what has no solution as it is grows on one.

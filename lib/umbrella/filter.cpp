@@ -123,11 +123,11 @@ class UmbrellaPicker {
       if (stays[k] != 0) umbrella_.push_back(order_[k]);
   }
 
-  /// Ascends with x.
+  /// Ascends with x, and is the same for 0 and -0.
   static std::int32_t upper_half(double x) {
     constexpr std::int64_t kAllButSign =
         std::numeric_limits<std::int64_t>::max();
-    const auto bits = std::bit_cast<std::int64_t>(x);
+    const auto bits = std::bit_cast<std::int64_t>(x + 0.0);
     return static_cast<std::int32_t>((bits < 0 ? bits ^ kAllButSign : bits) >>
                                      32);
   }

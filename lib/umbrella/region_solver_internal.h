@@ -33,12 +33,12 @@ struct Attempt {
   std::size_t n_candidates = 0;
   std::size_t n_variables = 0;
   /// Candidates of the solution, or of the last one that was banned.
-  std::vector<LocatedTriangle> chosen;  ///< candidates of the solution
-  std::vector<TriangleIndex> freed;     ///< candidates that stood there before
-  std::vector<VertexId> vertices;       ///< of the program
-  std::vector<VertexId> dropped;        ///< left without triangles
-  std::vector<VertexId> stuck;  ///< of the contradiction, if there is one
-  std::vector<Piece> pieces;    ///< those that were cut off
+  std::vector<LocatedTriangle> chosen;
+  std::vector<TriangleIndex> freed;  ///< candidates that stood there before
+  std::vector<VertexId> vertices;    ///< of the program
+  std::vector<VertexId> dropped;     ///< left without triangles
+  std::vector<VertexId> stuck;       ///< of the contradiction, if there is one
+  std::vector<Piece> pieces;         ///< those that were cut off
 };
 
 /// What is left of what the programs of one region may take.
