@@ -276,7 +276,7 @@ TEST(CellLabels, GiveTheSameSurfaceForAnyNumberOfThreads) {
         close_by_cell_labels(t, certain_triangles(t), all_vertices(t)));
     expect_sound(t, results.back());
     for (const auto& [corners, facet] : results.back().triangles) {
-      ASSERT_EQ(sorted_corners(t, facet), corners);
+      ASSERT_EQ(umbrella::corners(t, facet), corners);
       ASSERT_LT(facet.cell(),
                 t.cell(facet.cell()).neighbor[facet.index()].cell());
     }

@@ -165,7 +165,7 @@ TEST(LabelWorstFirst, IsTheLeastOfAllThatKeepTheSame) {
     const auto facets = all_facets(t);
     std::vector<LocatedTriangle> kept;
     for (const Facet f : facets)
-      if (rng() % 6 == 0) kept.push_back({sorted_corners(t, f), f});
+      if (rng() % 6 == 0) kept.push_back({umbrella::corners(t, f), f});
     const auto open = all_vertices(t);
     const LabelFrame frame(t, CloseWeight::Circumradius, kept, open);
     Labelling labels(t);
@@ -383,7 +383,7 @@ TEST(HeldByCut, AreKeptTrianglesOfTheCheapestLabels) {
     open.resize(4 + rng() % (open.size() - 3));
     std::vector<LocatedTriangle> kept;
     for (const Facet f : all_facets(t))
-      if (rng() % 3 == 0) kept.push_back({sorted_corners(t, f), f});
+      if (rng() % 3 == 0) kept.push_back({umbrella::corners(t, f), f});
     const LabelFrame frame(t, CloseWeight::Circumradius, kept, open);
     Labelling first(t);
     label_worst_first(frame, kept, first);

@@ -335,11 +335,11 @@ std::vector<VertexId> cut_corners(const delaunay::Triangulation3& triangulation,
     const VertexId v = triangulation.cell(facet.cell()).vertex[i % 4];
     int n_at_v = 0;
     for (unsigned k = 0; k < 4; ++k)
-      n_at_v += surface.count(sorted_corners(
+      n_at_v += surface.count(umbrella::corners(
                     triangulation, delaunay::Facet(facet.cell(), k))) > 0 &&
                 k != i % 4;
     if (n_at_v < 3 || degree[index(v)] != 3) continue;
-    const Triangle base = sorted_corners(triangulation, facet);
+    const Triangle base = umbrella::corners(triangulation, facet);
     if (!surface.insert(base).second) continue;
     cut.push_back(v);
     std::erase_if(triangles, [&](const LocatedTriangle& t) {

@@ -10,7 +10,6 @@
 
 #include "umbrella/cycle_check_internal.h"
 #include "umbrella/link_graph_internal.h"
-#include "umbrella/ranges.h"
 
 namespace umbrella {
 namespace {

@@ -25,7 +25,7 @@ class LabelFrame {
     return triangulation_;
   }
   double badness(delaunay::Facet f) const {
-    return badness_(sorted_corners(triangulation_, f), f);
+    return badness_(corners(triangulation_, f), f);
   }
   /// The root of the badness over the least that there can be: the
   /// circumradius, lambda, the area, or the like for the overlap of balls.

@@ -100,22 +100,13 @@ bool Labelling::is_edge_used(CellId c, unsigned i, unsigned k) const {
   return false;
 }
 
-Triangle sorted_corners(const Triangulation3& triangulation, Facet facet) {
-  const Cell& cell = triangulation.cell(facet.cell());
-  Triangle t;
-  for (unsigned k = 0; k < 3; ++k)
-    t[k] = cell.vertex[delaunay::kFacetCorners[facet.index()][k]];
-  std::sort(t.begin(), t.end());
-  return t;
-}
-
 std::vector<LocatedTriangle> Labelling::surface() const {
   std::vector<LocatedTriangle> result;
   for (std::uint32_t c = 0; c < triangulation_.n_finite_cells(); ++c)
     for (unsigned i = 0; i < 4; ++i) {
       const Facet facet(CellId{c}, i);
       if (is_on_surface(facet) && c < index(cell(CellId{c}).neighbor[i].cell()))
-        result.push_back({sorted_corners(triangulation_, facet), facet});
+        result.push_back({corners(triangulation_, facet), facet});
     }
   std::sort(result.begin(), result.end(),
             [](const LocatedTriangle& a, const LocatedTriangle& b) {

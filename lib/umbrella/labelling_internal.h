@@ -94,8 +94,4 @@ class Labelling {
   std::vector<delaunay::CellId> pending_;
 };
 
-/// The corners of a facet, ascending.
-Triangle sorted_corners(const delaunay::Triangulation3& triangulation,
-                        delaunay::Facet facet);
-
 }  // namespace umbrella

@@ -19,7 +19,7 @@ using delaunay::VertexId;
 /// Corners in ascending order.
 using Triangle = std::array<VertexId, 3>;
 
-/// Of a facet of a cell within the hull.
+/// Of a facet, ascending.
 inline Triangle corners(const delaunay::Triangulation3& triangulation,
                         delaunay::Facet facet) {
   const auto& vertex = triangulation.cell(facet.cell()).vertex;
