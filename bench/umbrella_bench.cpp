@@ -26,7 +26,7 @@ struct Stages {
   Triangulation3 triangulation;
   std::size_t n = triangulation.points().size();
   umbrella::Circumspheres spheres{triangulation};
-  std::vector<umbrella::RankedTriangle> ranked =
+  umbrella::RankedTriangles ranked =
       umbrella::ranked_triangles(triangulation, spheres);
   umbrella::FilterResult filtered = umbrella::umbrella_filter(n, ranked);
   umbrella::CleanUpResult clean = umbrella::clean_up(n, filtered.triangles);

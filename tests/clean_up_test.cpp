@@ -38,7 +38,7 @@ Types types_at(const Complex& all, const RankedTriangle& t, VertexId v) {
   LinkEdges core;
   for (std::size_t i = 0; i < link.size(); ++i)
     if (cyclic[i]) core.push_back(link[i]);
-  const auto own = tests::link({t}, v).front();
+  const auto own = tests::link({&t, 1}, v).front();
   const bool is_in = cyclic[static_cast<std::size_t>(
       std::find(link.begin(), link.end(), own) - link.begin())];
   return {!core.empty() && !is_in, is_in && !tests::is_simple_cycle(core)};
@@ -107,8 +107,8 @@ TEST(CleanUp, DeletesWhatTheBookSays) {
     SCOPED_TRACE(testing::Message() << "trial " << trial);
     const double density = 0.1 + 0.008 * static_cast<double>(trial);
     const Complex triangles = tests::random_complex(kVertices, density, trial);
-    const auto result =
-        clean_up(kVertices, triangles, {.largest_dissolved = 0});
+    const auto result = clean_up(kVertices, RankedTriangles(triangles),
+                                 {.largest_dissolved = 0});
     EXPECT_EQ(corners_of(result.triangles),
               corners_of(cleaned_by_the_book(triangles)));
     EXPECT_EQ(result.n_type2 + result.n_type3, result.deleted.size());
@@ -121,7 +121,8 @@ TEST(CleanUp, LeavesOneUmbrellaOrNone) {
   for (std::uint64_t trial = 0; trial < 40; ++trial) {
     SCOPED_TRACE(testing::Message() << "trial " << trial);
     const auto result =
-        clean_up(kVertices, tests::random_complex(kVertices, 0.5, trial));
+        clean_up(kVertices,
+                 RankedTriangles(tests::random_complex(kVertices, 0.5, trial)));
     const std::set<VertexId> bare(result.without_umbrella.begin(),
                                   result.without_umbrella.end());
     for (std::size_t i = 0; i < kVertices; ++i) {
@@ -138,7 +139,8 @@ TEST(CleanUp, NeedsNoLookAtSettledVertices) {
     SCOPED_TRACE(testing::Message() << "trial " << trial);
     const double density = 0.05 + 0.01 * static_cast<double>(trial);
     const auto filtered = umbrella_filter(
-        kVertices, tests::random_complex(kVertices, density, trial));
+        kVertices,
+        RankedTriangles(tests::random_complex(kVertices, density, trial)));
     const CleanUpOptions options = {.largest_dissolved = trial % 8};
     const auto all = clean_up(kVertices, filtered.triangles, options);
     const auto told =
@@ -164,11 +166,12 @@ TEST(CleanUp, CountsEachKind) {
     triangles.push_back(ranked(5, base + 1, base + 2, rank));
     triangles.push_back(ranked(base, base + 1, base + 2, rank));
   }
-  const auto kept = clean_up(12, triangles, {.largest_dissolved = 0});
+  const auto kept =
+      clean_up(12, RankedTriangles(triangles), {.largest_dissolved = 0});
   EXPECT_EQ(kept.n_type2, 3U);  // the flap; two that hang at 5 then
   EXPECT_EQ(kept.n_type3, 1U);  // the worst at 5
   EXPECT_EQ(kept.n_dissolved, 0U);
-  const auto dissolved = clean_up(12, triangles);
+  const auto dissolved = clean_up(12, RankedTriangles(triangles));
   EXPECT_EQ(dissolved.n_dissolved, 8U);
   EXPECT_EQ(dissolved.deleted.size(), 12U);
   EXPECT_EQ(dissolved.without_umbrella.size(), 12U);
@@ -180,9 +183,12 @@ TEST(CleanUp, KeepsClosedPiecesAboveTheLimit) {
   for (const std::size_t top : {4U, 5U})
     for (std::size_t i = 0; i < 4; ++i)
       triangles.push_back(ranked(i, (i + 1) % 4, top, 1));
-  EXPECT_EQ(clean_up(6, triangles, {.largest_dissolved = 7}).triangles.size(),
+  EXPECT_EQ(clean_up(6, RankedTriangles(triangles), {.largest_dissolved = 7})
+                .triangles.size(),
             8U);
-  EXPECT_EQ(clean_up(6, triangles, {.largest_dissolved = 8}).n_dissolved, 8U);
+  EXPECT_EQ(clean_up(6, RankedTriangles(triangles), {.largest_dissolved = 8})
+                .n_dissolved,
+            8U);
 }
 
 }  // namespace

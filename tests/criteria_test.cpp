@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "tests/support/complexes.h"
 #include "tests/support/point_sets.h"
 
 namespace umbrella {
@@ -56,12 +57,11 @@ TEST(IntersectionRatio, TakesAHalfSpaceForTheBallBeyondTheHull) {
   }
 }
 
-std::vector<RankedTriangle> ranked(std::string_view criterion,
-                                   const Triangulation3& t) {
+RankedTriangles ranked(std::string_view criterion, const Triangulation3& t) {
   return ranked_by(criterion, t, Circumspheres(t));
 }
 
-std::vector<Triangle> corners(const std::vector<RankedTriangle>& triangles) {
+std::vector<Triangle> corners(std::span<const RankedTriangle> triangles) {
   std::vector<Triangle> result;
   for (const RankedTriangle& t : triangles) result.push_back(t.corners);
   return result;
@@ -69,12 +69,10 @@ std::vector<Triangle> corners(const std::vector<RankedTriangle>& triangles) {
 
 TEST(Criteria, WithoutGabrielAdmitEveryDelaunayTriangleInThePapersOrder) {
   const Triangulation3 t(tests::make_points<3>(Family::Uniform, 60, 4));
-  auto all = ranked("no-gabriel", t);
+  const auto all = tests::in_order(ranked("no-gabriel", t));
   EXPECT_EQ(all.size(), facets(t).size());
-  auto gabriel = ranked("paper", t);
+  const auto gabriel = tests::in_order(ranked("paper", t));
   EXPECT_LT(gabriel.size(), all.size());
-  std::sort(all.begin(), all.end(), ranks_before);
-  std::sort(gabriel.begin(), gabriel.end(), ranks_before);
   const std::vector<Triangle> kept = corners(gabriel);
   std::vector<Triangle> filtered;
   for (const Triangle& triangle : corners(all))
@@ -101,9 +99,7 @@ TEST(Criteria, MixedRanksByTheProductOfLambdaAndRadius) {
 TEST(Criteria, MixedWithOnePowerAloneIsThePapersOrCircumradius) {
   const Triangulation3 t(tests::make_points<3>(Family::Uniform, 60, 8));
   const auto order = [&](auto criterion) {
-    auto triangles = ranked_triangles(t, criterion);
-    std::sort(triangles.begin(), triangles.end(), ranks_before);
-    return corners(triangles);
+    return corners(tests::in_order(ranked_triangles(t, criterion)));
   };
   EXPECT_EQ(order(MixedCriterion{1, 0}), order(PaperCriterion{}));
   EXPECT_EQ(order(MixedCriterion{0, 1}), order(CircumradiusCriterion{}));

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "predicates/gabriel.h"
+#include "tests/support/complexes.h"
 #include "tests/support/exact_lambda.h"
 #include "tests/support/point_sets.h"
 
@@ -81,13 +82,14 @@ std::tuple<Rational, Rational> exact_rank(const Triangulation3& t,
 }
 
 void expect_exact_order(const Triangulation3& t) {
-  auto ranked = ranked_triangles(t);
-  std::sort(ranked.begin(), ranked.end(), ranks_before);
-  for (std::size_t i = 1; i < ranked.size(); ++i) {
-    const auto before = exact_rank(t, ranked[i - 1]);
-    const auto after = exact_rank(t, ranked[i]);
+  const RankedTriangles ranked = ranked_triangles(t);
+  const auto sorted = tests::in_order(ranked);
+  for (std::size_t i = 1; i < sorted.size(); ++i) {
+    const auto before = exact_rank(t, sorted[i - 1]);
+    const auto after = exact_rank(t, sorted[i]);
     EXPECT_LE(before, after);
-    EXPECT_EQ(before == after, ranked[i - 1].rank == ranked[i].rank);
+    EXPECT_EQ(before == after,
+              ranked.order().compare_ranks(sorted[i - 1], sorted[i]) == 0);
   }
 }
 
@@ -117,13 +119,13 @@ TEST(PaperCriterion, OrdersDecimalsAsExactNumbersDo) {
 
 TEST(PaperCriterion, GivesEqualRanksToEqualNumbers) {
   const Triangulation3 t(tests::make_points<3>(Family::Grid, 60, 3));
-  auto ranked = ranked_triangles(t);
-  std::sort(ranked.begin(), ranked.end(), ranks_before);
+  const RankedTriangles ranked = ranked_triangles(t);
+  const auto sorted = tests::in_order(ranked);
   std::size_t n_equal = 0;
-  for (std::size_t i = 1; i < ranked.size(); ++i) {
-    if (exact_rank(t, ranked[i - 1]) != exact_rank(t, ranked[i])) continue;
+  for (std::size_t i = 1; i < sorted.size(); ++i) {
+    if (exact_rank(t, sorted[i - 1]) != exact_rank(t, sorted[i])) continue;
     ++n_equal;
-    EXPECT_EQ(ranked[i - 1].rank, ranked[i].rank);
+    EXPECT_EQ(ranked.order().compare_ranks(sorted[i - 1], sorted[i]), 0);
   }
   EXPECT_GT(n_equal, 20U);
 }

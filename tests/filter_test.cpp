@@ -67,7 +67,7 @@ TEST(UmbrellaFilter, TakesTheFirstUmbrellaOfEachVertex) {
     expected.erase(std::unique(expected.begin(), expected.end()),
                    expected.end());
 
-    const auto result = umbrella_filter(kVertices, triangles);
+    const auto result = umbrella_filter(kVertices, RankedTriangles(triangles));
     EXPECT_EQ(corners_of(result.triangles), expected);
     EXPECT_EQ(result.without_umbrella, bare);
   }
@@ -78,7 +78,8 @@ TEST(UmbrellaFilter, NamesTheVerticesThatAreNotSettled) {
     SCOPED_TRACE(testing::Message() << "trial " << trial);
     const double density = 0.05 + 0.01 * static_cast<double>(trial);
     const auto result = umbrella_filter(
-        kVertices, tests::random_complex(kVertices, density, trial));
+        kVertices,
+        RankedTriangles(tests::random_complex(kVertices, density, trial)));
     std::vector<VertexId> expected;
     for (std::size_t i = 0; i < kVertices; ++i)
       if (!tests::is_simple_cycle(
@@ -94,10 +95,11 @@ TEST(UmbrellaFilter, DoesNotDependOnTheOrderOfTheTriangles) {
   for (std::uint64_t trial = 0; trial < 50; ++trial) {
     SCOPED_TRACE(testing::Message() << "trial " << trial);
     auto triangles = tests::random_complex(kVertices, 0.4, trial);
-    const auto expected =
-        corners_of(umbrella_filter(kVertices, triangles).triangles);
+    const auto expected = corners_of(
+        umbrella_filter(kVertices, RankedTriangles(triangles)).triangles);
     std::shuffle(triangles.begin(), triangles.end(), rng);
-    auto shuffled = corners_of(umbrella_filter(kVertices, triangles).triangles);
+    auto shuffled = corners_of(
+        umbrella_filter(kVertices, RankedTriangles(triangles)).triangles);
     std::sort(shuffled.begin(), shuffled.end());
     EXPECT_EQ(shuffled, expected);
   }
@@ -109,14 +111,14 @@ TEST(UmbrellaFilter, PrefersTheUmbrellaWithTheBetterWorstTriangle) {
   const std::vector<RankedTriangle> triangles = {
       ranked(0, 1, 2, 1), ranked(0, 1, 3, 1), ranked(0, 2, 3, 5),
       ranked(0, 4, 5, 3), ranked(0, 4, 6, 3), ranked(0, 5, 6, 4)};
-  const auto result = umbrella_filter(7, triangles);
+  const auto result = umbrella_filter(7, RankedTriangles(triangles));
   EXPECT_EQ(corners_of(result.triangles),
             corners_of(std::span(triangles).subspan(3)));
   EXPECT_EQ(result.without_umbrella.size(), 6U);
 }
 
 TEST(UmbrellaFilter, LeavesVerticesWithoutTrianglesAlone) {
-  const auto result = umbrella_filter(3, {});
+  const auto result = umbrella_filter(3, RankedTriangles());
   EXPECT_TRUE(result.triangles.empty());
   EXPECT_EQ(result.without_umbrella.size(), 3U);
 }
@@ -127,7 +129,7 @@ TEST(UmbrellaFilter, ManagesAVertexOfVeryHighDegree) {
   for (std::size_t i = 1; i <= kSpokes; ++i)
     triangles.push_back(
         ranked(0, i, i % kSpokes + 1, static_cast<double>(i % 97)));
-  const auto result = umbrella_filter(kSpokes + 1, triangles);
+  const auto result = umbrella_filter(kSpokes + 1, RankedTriangles(triangles));
   EXPECT_EQ(result.triangles.size(), kSpokes);
   EXPECT_EQ(result.without_umbrella.size(), kSpokes);
 }
@@ -190,7 +192,8 @@ TEST(UmbrellaFilter, PartsEqualRanksByCorners) {
     std::sort(expected.begin(), expected.end());
     expected.erase(std::unique(expected.begin(), expected.end()),
                    expected.end());
-    auto chosen = corners_of(umbrella_filter(kVertices, triangles).triangles);
+    auto chosen = corners_of(
+        umbrella_filter(kVertices, RankedTriangles(triangles)).triangles);
     std::sort(chosen.begin(), chosen.end());
     EXPECT_EQ(chosen, expected);
   }

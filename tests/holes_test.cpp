@@ -83,7 +83,7 @@ TEST(FindHoles, AreAsDefinedOnRandomComplexes) {
   for (std::uint64_t trial = 0; trial < 60; ++trial) {
     SCOPED_TRACE(testing::Message() << "trial " << trial);
     const auto all = tests::random_complex(kVertices, 0.35, trial);
-    const auto clean = clean_up(kVertices, all);
+    const auto clean = clean_up(kVertices, RankedTriangles(all));
     const auto holes = find_holes(kVertices, clean.triangles, clean.deleted,
                                   clean.without_umbrella);
     n_holes += holes.size();

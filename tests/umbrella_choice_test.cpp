@@ -29,7 +29,7 @@ std::vector<Point3> random_points(std::size_t n, std::uint64_t seed) {
 }
 
 /// All simple cycles of G_v by plain search.
-void each_cycle(const std::vector<RankedTriangle>& triangles, VertexId v,
+void each_cycle(std::span<const RankedTriangle> triangles, VertexId v,
                 const std::function<void(const std::vector<VertexId>&)>& use) {
   const tests::LinkEdges edges = tests::link(triangles, v);
   const auto joined = [&](VertexId p, VertexId q) {
@@ -58,9 +58,9 @@ void each_cycle(const std::vector<RankedTriangle>& triangles, VertexId v,
 }
 
 /// The triangles at v, as if it were alone: no other vertex adds to them.
-std::vector<RankedTriangle> star(const std::vector<RankedTriangle>& triangles,
+std::vector<RankedTriangle> star(std::span<const RankedTriangle> triangles,
                                  VertexId v) {
-  std::vector<RankedTriangle> result = triangles;
+  std::vector<RankedTriangle> result(triangles.begin(), triangles.end());
   std::erase_if(result, [&](const RankedTriangle& t) {
     return std::find(t.corners.begin(), t.corners.end(), v) == t.corners.end();
   });
@@ -68,7 +68,7 @@ std::vector<RankedTriangle> star(const std::vector<RankedTriangle>& triangles,
 }
 
 /// The rim of the one umbrella that `triangles` are at v.
-std::vector<VertexId> rim(const std::vector<RankedTriangle>& triangles,
+std::vector<VertexId> rim(std::span<const RankedTriangle> triangles,
                           VertexId v) {
   std::vector<VertexId> cycle;
   each_cycle(triangles, v,
@@ -97,7 +97,7 @@ void expect_least_of_all_cycles(
     Star at = {random_points(9, trial), tests::random_complex(9, 0.35, trial)};
     at.triangles = star(at.triangles, at.center);
     const FilterResult result =
-        umbrella_filter(at.points, at.triangles, choice);
+        umbrella_filter(at.points, RankedTriangles(at.triangles), choice);
     double least = std::numeric_limits<double>::infinity();
     each_cycle(at.triangles, at.center,
                [&](const std::vector<VertexId>& cycle) {
@@ -163,7 +163,9 @@ TEST(UmbrellaChoice, FlattestPrefersTheDiscToTheTip) {
   triangles.push_back(ranked(0, 1, 7, 0.5));
   triangles.push_back(ranked(0, 2, 7, 0.5));
   const auto rim_of = [&](UmbrellaChoice choice) {
-    return rim(umbrella_filter(points, triangles, choice).triangles, vertex(0));
+    return rim(
+        umbrella_filter(points, RankedTriangles(triangles), choice).triangles,
+        vertex(0));
   };
   EXPECT_EQ(rim_of(UmbrellaChoice::Flattest).size(), 6U);
   EXPECT_EQ(rim_of(UmbrellaChoice::LeastSum).size(), 3U);
@@ -184,8 +186,8 @@ TEST(UmbrellaChoice, FlattestEndsOnAFlatDisc) {
       triangles.push_back(ranked(0, 1 + k, 1 + (k + 1) % 8, 1));
       triangles.push_back(ranked(0, 1 + k, 1 + (k + 2) % 8, 1));
     }
-    const auto chosen =
-        umbrella_filter(points, triangles, UmbrellaChoice::Flattest);
+    const auto chosen = umbrella_filter(points, RankedTriangles(triangles),
+                                        UmbrellaChoice::Flattest);
     const auto at_center = star(chosen.triangles, vertex(0));
     EXPECT_LT(
         bending({points, at_center, vertex(0)}, rim(at_center, vertex(0))),
@@ -196,8 +198,9 @@ TEST(UmbrellaChoice, FlattestEndsOnAFlatDisc) {
 TEST(UmbrellaChoice, FirstIsTheFilter) {
   const auto points = random_points(12, 3);
   const auto triangles = tests::random_complex(12, 0.2, 3);
-  const auto chosen = umbrella_filter(points, triangles, UmbrellaChoice::First);
-  const auto filtered = umbrella_filter(12, triangles);
+  const auto chosen = umbrella_filter(points, RankedTriangles(triangles),
+                                      UmbrellaChoice::First);
+  const auto filtered = umbrella_filter(12, RankedTriangles(triangles));
   ASSERT_EQ(chosen.triangles.size(), filtered.triangles.size());
   EXPECT_EQ(chosen.without_umbrella, filtered.without_umbrella);
 }
@@ -208,10 +211,12 @@ TEST(UmbrellaChoice, LeavesTheSameVerticesWithoutOne) {
     SCOPED_TRACE(testing::Message() << "trial " << trial);
     const auto points = random_points(12, trial);
     const auto triangles = tests::random_complex(12, 0.08, trial);
-    const auto expected = umbrella_filter(12, triangles).without_umbrella;
+    const auto expected =
+        umbrella_filter(12, RankedTriangles(triangles)).without_umbrella;
     for (const auto choice :
          {UmbrellaChoice::LeastSum, UmbrellaChoice::Flattest})
-      EXPECT_EQ(umbrella_filter(points, triangles, choice).without_umbrella,
+      EXPECT_EQ(umbrella_filter(points, RankedTriangles(triangles), choice)
+                    .without_umbrella,
                 expected);
   }
 }

@@ -26,7 +26,7 @@ std::vector<VertexId> all_vertices(std::size_t n) {
 class CleanUp {
  public:
   /// All vertices are taken to have one umbrella and no other triangles.
-  CleanUp(std::size_t n_vertices, std::span<const RankedTriangle> triangles)
+  CleanUp(std::size_t n_vertices, const RankedTriangles& triangles)
       : triangles_(triangles),
         incidence_(n_vertices, triangles.size(),
                    [&](TriangleIndex t) -> const Triangle& {
@@ -39,7 +39,7 @@ class CleanUp {
         has_umbrella_(n_vertices, true),
         is_dirty_(n_vertices),
         is_waiting_(triangles.size()),
-        worst_first_(RanksBefore{triangles}) {}
+        worst_first_(RanksBefore{&triangles}) {}
 
   /// @param dirty  vertices where that is not so
   void delete_types_2_and_3(std::vector<VertexId> dirty);
@@ -48,9 +48,9 @@ class CleanUp {
 
  private:
   struct RanksBefore {
-    std::span<const RankedTriangle> triangles;
+    const RankedTriangles* triangles;
     bool operator()(TriangleIndex a, TriangleIndex b) const {
-      return ranks_before(triangles[a], triangles[b]);
+      return triangles->order().before((*triangles)[a], (*triangles)[b]);
     }
   };
 
@@ -76,7 +76,7 @@ class CleanUp {
   std::vector<VertexId> delete_all(std::span<const TriangleIndex> doomed,
                                    Fate fate);
 
-  std::span<const RankedTriangle> triangles_;
+  const RankedTriangles& triangles_;
   Incidence incidence_;
   CycleCheck cycle_;
   LinkGraph graph_;
@@ -230,8 +230,7 @@ CleanUpResult CleanUp::result() const {
 
 }  // namespace
 
-CleanUpResult clean_up(std::size_t n_vertices,
-                       std::span<const RankedTriangle> triangles,
+CleanUpResult clean_up(std::size_t n_vertices, const RankedTriangles& triangles,
                        const CleanUpOptions& options,
                        const std::optional<std::vector<VertexId>>& unsettled) {
   CleanUp work(n_vertices, triangles);

@@ -5,9 +5,9 @@
 
 #include <cstddef>
 #include <optional>
-#include <span>
 #include <vector>
 
+#include "umbrella/rank_order.h"
 #include "umbrella/triangle.h"
 
 namespace umbrella {
@@ -37,11 +37,10 @@ struct CleanUpResult {
 /// the one of type 3 that ranks last; and repeats both.
 ///
 /// @param n_vertices  all ids in `triangles` are below it
-/// @param triangles  distinct
 /// @param unsettled  vertices at which there are other triangles than those of
 ///   one umbrella, or none; ascending. All may be, if nobody knows
 CleanUpResult clean_up(
-    std::size_t n_vertices, std::span<const RankedTriangle> triangles,
+    std::size_t n_vertices, const RankedTriangles& triangles,
     const CleanUpOptions& options = {},
     const std::optional<std::vector<VertexId>>& unsettled = {});
 

@@ -10,14 +10,12 @@ namespace {
 
 using delaunay::Triangulation3;
 
-using Ranking = std::vector<RankedTriangle> (*)(const Triangulation3&,
-                                                const Circumspheres&,
-                                                unsigned threads);
+using Ranking = RankedTriangles (*)(const Triangulation3&, const Circumspheres&,
+                                    unsigned threads);
 
 template <Criterion C>
-std::vector<RankedTriangle> ranking(const Triangulation3& triangulation,
-                                    const Circumspheres& spheres,
-                                    unsigned threads) {
+RankedTriangles ranking(const Triangulation3& triangulation,
+                        const Circumspheres& spheres, unsigned threads) {
   return ranked_triangles(triangulation, spheres, C{}, threads);
 }
 
@@ -79,10 +77,9 @@ Rank MixedCriterion::rank(const DelaunayTriangle& t) const {
 
 std::span<const std::string_view> criterion_names() { return kNames; }
 
-std::vector<RankedTriangle> ranked_by(std::string_view criterion,
-                                      const Triangulation3& triangulation,
-                                      const Circumspheres& spheres,
-                                      unsigned threads) {
+RankedTriangles ranked_by(std::string_view criterion,
+                          const Triangulation3& triangulation,
+                          const Circumspheres& spheres, unsigned threads) {
   return find(criterion).rank(triangulation, spheres, threads);
 }
 

@@ -22,6 +22,17 @@ struct LambdaCriterion {
   PaperCriterion paper;
 };
 
+/// Gabriel triangles, the smaller circumradius first: sizes, not shapes.
+struct CircumradiusCriterion {
+  bool admissible(const DelaunayTriangle& t) const { return t.is_gabriel(); }
+  Rank rank(const DelaunayTriangle& t) const {
+    return {t.squared_circumradius(), t.squared_lambda_lower()};
+  }
+  ExactRank exact_rank(const DelaunayTriangle& t) const {
+    return {t.squared_circumradius_ratio(), t.squared_lambda_lower_ratio()};
+  }
+};
+
 /// Gabriel triangles, the smaller area first; ordered as the doubles are.
 struct AreaCriterion {
   bool admissible(const DelaunayTriangle& t) const { return t.is_gabriel(); }
@@ -72,9 +83,9 @@ std::span<const std::string_view> criterion_names();
 /// As ranked_triangles() with the criterion of that name.
 ///
 /// @throws std::invalid_argument  there is no such criterion
-std::vector<RankedTriangle> ranked_by(
-    std::string_view criterion, const delaunay::Triangulation3& triangulation,
-    const Circumspheres& spheres, unsigned threads = 1);
+RankedTriangles ranked_by(std::string_view criterion,
+                          const delaunay::Triangulation3& triangulation,
+                          const Circumspheres& spheres, unsigned threads = 1);
 
 /// Throws as ranked_by() does.
 void require_criterion(std::string_view name);

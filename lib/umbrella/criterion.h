@@ -17,10 +17,10 @@
 
 #include "umbrella/circumspheres.h"
 #include "umbrella/delaunay_triangle.h"
-#include "umbrella/exact_order.h"
 #include "umbrella/facets.h"
 #include "umbrella/facets_by_corners.h"
 #include "umbrella/ranges.h"
+#include "umbrella/rank_order.h"
 #include "umbrella/triangle.h"
 
 namespace umbrella {
@@ -32,8 +32,9 @@ concept Criterion = requires(const C& c, const DelaunayTriangle& t) {
 };
 
 /// A criterion whose rank() is good to a part of kNearTie / 2 only, and which
-/// can say it exactly: the order is then the one of exact_rank(). Ranks must
-/// not be negative, and a primary of zero must be exact.
+/// can say it exactly: the order is then the one of exact_rank(), which several
+/// threads ask for. Ranks must not be negative, and a primary of zero must be
+/// exact.
 template <class C>
 concept ExactCriterion = Criterion<C> &&
     requires(const C& c, const DelaunayTriangle& t) {
@@ -53,24 +54,13 @@ struct PaperCriterion {
   }
 };
 
-/// Gabriel triangles, the smaller circumradius first: sizes, not shapes.
-struct CircumradiusCriterion {
-  bool admissible(const DelaunayTriangle& t) const { return t.is_gabriel(); }
-  Rank rank(const DelaunayTriangle& t) const {
-    return {t.squared_circumradius(), t.squared_lambda_lower()};
-  }
-  ExactRank exact_rank(const DelaunayTriangle& t) const {
-    return {t.squared_circumradius_ratio(), t.squared_lambda_lower_ratio()};
-  }
-};
-
 /// What the criterion admits of the facets of some cells.
 template <Criterion C>
 FacetList admitted(const delaunay::Triangulation3& triangulation,
                    const Circumspheres& spheres, const C& criterion,
                    IndexRange cells) {
   FacetList facets;
-  facets.reserve(2 * cells.size());  // and a few on the hull
+  facets.reserve(cells.size() * 5 / 8);
   FacetBlocks blocks(triangulation, cells);
   for (auto block = blocks.next(); !block.empty(); block = blocks.next()) {
     std::size_t n = 0;
@@ -112,14 +102,29 @@ std::vector<RankedTriangle> ranked(
   return triangles;
 }
 
+/// The order of a criterion's ranks; exact if it can say them exactly.
+///
+/// @param triangulation  must outlive the order
+template <Criterion C>
+RankOrder rank_order(const delaunay::Triangulation3& triangulation,
+                     const Circumspheres& spheres, const C& criterion) {
+  if constexpr (ExactCriterion<C>)
+    return RankOrder([&triangulation, spheres, criterion](delaunay::Facet f) {
+      return criterion.exact_rank(DelaunayTriangle(triangulation, spheres, f));
+    });
+  return {};
+}
+
 /// All triangles of the triangulation that the criterion admits, by ascending
 /// corners. Depends on the set of points alone if the criterion does.
 ///
+/// @param triangulation  must outlive their order
 /// @param threads  at most so many call the criterion, at the same time
 template <Criterion C = PaperCriterion>
-std::vector<RankedTriangle> ranked_triangles(
-    const delaunay::Triangulation3& triangulation, const Circumspheres& spheres,
-    const C& criterion = {}, unsigned threads = 1) {
+RankedTriangles ranked_triangles(const delaunay::Triangulation3& triangulation,
+                                 const Circumspheres& spheres,
+                                 const C& criterion = {},
+                                 unsigned threads = 1) {
   const std::size_t n = triangulation.points().size();
   const auto find = [&](IndexRange cells) {
     return admitted(triangulation, spheres, criterion, cells);
@@ -129,18 +134,13 @@ std::vector<RankedTriangle> ranked_triangles(
   const auto rank = [&](IndexRange lowest) {
     return ranked(triangulation, spheres, criterion, facets, lowest);
   };
-  auto triangles = joined(for_ranges(n, threads, rank));
-  if constexpr (ExactCriterion<C>)
-    order_exactly(triangles, [&](delaunay::Facet facet) {
-      return criterion.exact_rank(
-          DelaunayTriangle(triangulation, spheres, facet));
-    });
-  return triangles;
+  return RankedTriangles(joined(for_ranges(n, threads, rank)),
+                         rank_order(triangulation, spheres, criterion));
 }
 
 template <Criterion C = PaperCriterion>
-std::vector<RankedTriangle> ranked_triangles(
-    const delaunay::Triangulation3& triangulation, const C& criterion = {}) {
+RankedTriangles ranked_triangles(const delaunay::Triangulation3& triangulation,
+                                 const C& criterion = {}) {
   return ranked_triangles(triangulation, Circumspheres(triangulation),
                           criterion);
 }

@@ -6,7 +6,6 @@
 #include <array>
 #include <cstdint>
 #include <memory>
-#include <utility>
 
 #include "delaunay/triangulation3.h"
 
@@ -33,16 +32,8 @@ class ExactRatio {
   /// whole_fraction(origin), times a power of two.
   ExactRatio(const Origin& origin, int exponent);
 
-  /// Near the number, if anything is known without much work: numbers of which
-  /// the one is well above the other have estimates in that order.
-  std::pair<double, double> estimate() const;
-
   /// Negative, zero or positive as a is less than, equal to or more than b.
   friend int compare(const ExactRatio& a, const ExactRatio& b);
-
-  /// Whether the points, or small numbers, show that they are equal: takes a
-  /// tenth of the time of compare().
-  friend bool plainly_equal(const ExactRatio& a, const ExactRatio& b);
 
  private:
   struct Large;
@@ -60,10 +51,6 @@ struct ExactRank {
   friend int compare(const ExactRank& a, const ExactRank& b) {
     const int by_primary = compare(a.primary, b.primary);
     return by_primary != 0 ? by_primary : compare(a.secondary, b.secondary);
-  }
-  friend bool plainly_equal(const ExactRank& a, const ExactRank& b) {
-    return plainly_equal(a.primary, b.primary) &&
-           plainly_equal(a.secondary, b.secondary);
   }
 };
 

@@ -22,8 +22,7 @@ namespace {
 /// The umbrella of one vertex after another.
 class UmbrellaPicker {
  public:
-  UmbrellaPicker(std::size_t n_vertices,
-                 std::span<const RankedTriangle> triangles)
+  UmbrellaPicker(std::size_t n_vertices, const RankedTriangles& triangles)
       : triangles_(triangles), few_(n_vertices), graph_(n_vertices) {}
 
   /// @param at_v  the triangles at v
@@ -62,10 +61,38 @@ class UmbrellaPicker {
       order[place[i]] = at_v[i];
       sorted[place[i]] = edge[i];
     }
-    for (std::uint32_t bits = few_.find(std::span(sorted).first(n)); bits != 0;
-         bits &= bits - 1)
+    std::uint32_t bits = few_.find(std::span(sorted).first(n));
+    // The edge that closes the cycle is the last one on it.
+    if (bits != 0 &&
+        settle_ties(std::span(order).first(n),
+                    static_cast<std::size_t>(std::bit_width(bits) - 1))) {
+      for (std::size_t i = 0; i < n; ++i)
+        sorted[i] = opposite_edge(triangles_[order[i]].corners, v);
+      bits = few_.find(std::span(sorted).first(n));
+    }
+    for (; bits != 0; bits &= bits - 1)
       umbrella_.push_back(
           order[static_cast<std::size_t>(std::countr_zero(bits))]);
+  }
+
+  /// The umbrella is among the triangles up to the one that closes it, whatever
+  /// the order of these: so exact ranks matter only where others are as near to
+  /// the closing one as doubles tell. Puts these in exact order.
+  ///
+  /// @param sorted  as doubles tell
+  /// @return whether there are any
+  bool settle_ties(std::span<TriangleIndex> sorted, std::size_t closing) const {
+    const RankOrder& order = triangles_.order();
+    const auto ties = [&](std::size_t i) {
+      return order.is_near_tie(triangles_[sorted[i]],
+                               triangles_[sorted[i + 1]]);
+    };
+    std::size_t begin = closing, last = closing;
+    while (begin > 0 && ties(begin - 1)) --begin;
+    while (last + 1 < sorted.size() && ties(last)) ++last;
+    if (begin == last) return false;
+    order.sort(triangles_, sorted.subspan(begin, last + 1 - begin));
+    return true;
   }
 
   /// For each triangle how many go before it: more comparisons than sorting
@@ -112,15 +139,23 @@ class UmbrellaPicker {
               [this](TriangleIndex a, TriangleIndex b) {
                 return ranks_before(triangles_[a], triangles_[b]);
               });
+    const std::size_t closing = add_until_closed(v);
+    if (closing == order_.size()) return;
+    if (settle_ties(order_, closing)) add_until_closed(v);
+    const std::vector<std::uint8_t>& stays = graph_.peel();
+    for (std::size_t k = 0; k < stays.size(); ++k)
+      if (stays[k] != 0) umbrella_.push_back(order_[k]);
+  }
+
+  /// Adds the triangles at v in their order to the graph.
+  /// @return the place of the one that closes a cycle, or their number
+  std::size_t add_until_closed(VertexId v) {
     graph_.clear();
     const auto closing =
         std::find_if(order_.begin(), order_.end(), [&](TriangleIndex t) {
           return graph_.add(opposite_edge(triangles_[t].corners, v));
         });
-    if (closing == order_.end()) return;
-    const std::vector<std::uint8_t>& stays = graph_.peel();
-    for (std::size_t k = 0; k < stays.size(); ++k)
-      if (stays[k] != 0) umbrella_.push_back(order_[k]);
+    return static_cast<std::size_t>(closing - order_.begin());
   }
 
   /// Ascends with x, and is the same for 0 and -0.
@@ -132,7 +167,7 @@ class UmbrellaPicker {
                                      32);
   }
 
-  std::span<const RankedTriangle> triangles_;
+  const RankedTriangles& triangles_;
   FirstCycle few_;
   LinkGraph graph_;
   std::vector<TriangleIndex> order_;
@@ -142,7 +177,7 @@ class UmbrellaPicker {
 }  // namespace
 
 FilterResult umbrella_filter(std::size_t n_vertices,
-                             std::span<const RankedTriangle> triangles,
+                             const RankedTriangles& triangles,
                              unsigned threads) {
   return filter_by_vertex(n_vertices, triangles, threads, [&] {
     return UmbrellaPicker(n_vertices, triangles);

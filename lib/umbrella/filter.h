@@ -5,16 +5,16 @@
 
 #include <cstddef>
 #include <optional>
-#include <span>
 #include <vector>
 
+#include "umbrella/rank_order.h"
 #include "umbrella/triangle.h"
 
 namespace umbrella {
 
 struct FilterResult {
   /// Union of the umbrellas of all vertices, in the order of the input.
-  std::vector<RankedTriangle> triangles;
+  RankedTriangles triangles;
   /// Vertices around which no admissible triangles close, ascending. They
   /// choose nothing.
   std::vector<VertexId> without_umbrella;
@@ -23,16 +23,15 @@ struct FilterResult {
   std::optional<std::vector<VertexId>> unsettled;
 };
 
-/// Takes the triangles at each vertex v in the order of ranks_before() until
+/// Takes the triangles at each vertex v in the order of their ranks until
 /// they hold an umbrella: a cycle in the graph G_v, which joins p and q for
 /// each triangle v p q. One edge closes the first cycle, so the umbrella is
 /// unique; the other triangles taken at v are dropped again.
 ///
 /// @param n_vertices  all ids in `triangles` are below it
-/// @param triangles  distinct, in any order
 /// @param threads  at most so many, with the same result for any number
 FilterResult umbrella_filter(std::size_t n_vertices,
-                             std::span<const RankedTriangle> triangles,
+                             const RankedTriangles& triangles,
                              unsigned threads = 1);
 
 }  // namespace umbrella

@@ -38,11 +38,14 @@ class TriangleSet {
   std::vector<std::uint32_t> first_;  // of those with this lowest corner
 };
 
-/// The paper's order, on the triangles of a set.
-struct GivenCriterion : PaperCriterion {
+/// The paper's ranks, of the triangles of a set.
+struct GivenCriterion {
   const TriangleSet* faces = nullptr;
   bool admissible(const DelaunayTriangle& t) const {
     return faces->contains(t.corners());
+  }
+  Rank rank(const DelaunayTriangle& t) const {
+    return PaperCriterion{}.rank(t);
   }
 };
 
@@ -72,9 +75,11 @@ GivenFaces locate_faces(const delaunay::Triangulation3& triangulation,
   const TriangleSet set(triangulation.points().size(), std::move(proper));
   counts.duplicates = faces.size() - counts.degenerate - set.size();
 
-  GivenCriterion criterion;
-  criterion.faces = &set;
-  result.triangles = ranked_triangles(triangulation, spheres, criterion);
+  const RankedTriangles found =
+      ranked_triangles(triangulation, spheres, GivenCriterion{&set});
+  result.triangles =
+      RankedTriangles({found.begin(), found.end()},
+                      rank_order(triangulation, spheres, PaperCriterion{}));
   counts.kept = result.triangles.size();
   counts.not_delaunay = set.size() - counts.kept;
   return result;

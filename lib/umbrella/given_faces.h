@@ -9,6 +9,7 @@
 #include "delaunay/triangulation3.h"
 #include "umbrella/certificate.h"
 #include "umbrella/circumspheres.h"
+#include "umbrella/rank_order.h"
 #include "umbrella/triangle.h"
 
 namespace umbrella {
@@ -23,7 +24,7 @@ struct FaceCounts {
 };
 
 struct GivenFaces {
-  std::vector<RankedTriangle> triangles;  ///< kept; by ascending corners
+  RankedTriangles triangles;  ///< kept; by ascending corners
   FaceCounts counts;
 };
 

@@ -4,11 +4,13 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <string>
 #include <system_error>
+#include <utility>
 
 #include "umbrella/complexes.h"
 #include "umbrella/criteria.h"
@@ -200,16 +202,18 @@ FilterResult method_filter(const Method& method,
                            const Triangulation3& triangulation,
                            const Circumspheres& spheres) {
   const auto chosen = method_triangles(method, triangulation, spheres);
-  FilterResult result;
-  result.triangles =
+  const RankedTriangles all =
       ranked_triangles(triangulation, spheres, LambdaCriterion{});
-  std::erase_if(result.triangles, [&](const RankedTriangle& t) {
-    return !std::binary_search(
+  std::vector<RankedTriangle> ranked;
+  std::ranges::copy_if(all, std::back_inserter(ranked), [&](const auto& t) {
+    return std::binary_search(
         chosen.begin(), chosen.end(), LocatedTriangle{t.corners, t.facet},
         [](const LocatedTriangle& a, const LocatedTriangle& b) {
           return a.corners < b.corners;
         });
   });
+  FilterResult result;
+  result.triangles = RankedTriangles(std::move(ranked), all.order());
   result.without_umbrella = vertices_without_umbrella(
       triangulation.points().size(), result.triangles);
   return result;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "delaunay/ids.h"
@@ -15,6 +16,9 @@ namespace umbrella {
 using delaunay::index;
 using delaunay::Point3;
 using delaunay::VertexId;
+
+/// Position in a list of triangles.
+using TriangleIndex = std::uint32_t;
 
 /// Corners in ascending order.
 using Triangle = std::array<VertexId, 3>;
@@ -58,8 +62,8 @@ struct RankedTriangle {
   double squared_lambda = -1;
 };
 
-/// The total order of triangles: rank, then corners. As VertexIds depend on
-/// the set of points alone, so does this order.
+/// The order of triangles as their ranks are given: rank, then corners. See
+/// RankOrder for the exact one.
 inline bool ranks_before(const RankedTriangle& a, const RankedTriangle& b) {
   if (a.rank != b.rank) return a.rank < b.rank;
   return a.corners < b.corners;

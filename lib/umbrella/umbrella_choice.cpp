@@ -39,8 +39,8 @@ using Arc = std::uint32_t;
 
 class CycleFinder {
  public:
-  CycleFinder(std::span<const Point3> points,
-              std::span<const RankedTriangle> triangles, UmbrellaChoice choice)
+  CycleFinder(std::span<const Point3> points, const RankedTriangles& triangles,
+              UmbrellaChoice choice)
       : points_(points),
         triangles_(triangles),
         choice_(choice),
@@ -173,7 +173,7 @@ class CycleFinder {
   }
 
   std::span<const Point3> points_;
-  std::span<const RankedTriangle> triangles_;
+  const RankedTriangles& triangles_;
   UmbrellaChoice choice_;
 
   VertexId at_{};
@@ -201,7 +201,7 @@ UmbrellaChoice umbrella_choice(std::string_view name) {
 }
 
 FilterResult umbrella_filter(std::span<const Point3> points,
-                             std::span<const RankedTriangle> triangles,
+                             const RankedTriangles& triangles,
                              UmbrellaChoice choice, unsigned threads) {
   if (choice == UmbrellaChoice::First)
     return umbrella_filter(points.size(), triangles, threads);

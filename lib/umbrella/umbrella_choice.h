@@ -33,7 +33,7 @@ UmbrellaChoice umbrella_choice(std::string_view name);
 /// @param points  corners are positions in it
 /// @param triangles  distinct; primary ranks not negative
 FilterResult umbrella_filter(std::span<const Point3> points,
-                             std::span<const RankedTriangle> triangles,
+                             const RankedTriangles& triangles,
                              UmbrellaChoice choice, unsigned threads = 1);
 
 }  // namespace umbrella

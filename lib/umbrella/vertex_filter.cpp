@@ -13,19 +13,21 @@ void Choices::append(const Choices& next) {
                            next.without_umbrella_.end());
 }
 
-FilterResult Choices::among(std::span<const RankedTriangle> triangles) && {
+FilterResult Choices::among(const RankedTriangles& triangles) && {
   FilterResult result;
   result.without_umbrella = std::move(without_umbrella_);
   std::size_t n = 0;
   for (const std::uint64_t word : words_)
     n += static_cast<std::size_t>(std::popcount(word));
-  result.triangles.reserve(n);
+  std::vector<RankedTriangle> chosen;
+  chosen.reserve(n);
   std::vector<std::uint32_t> degree(size_.size());
   for (TriangleIndex t = 0; t < triangles.size(); ++t) {
     if (!holds(t)) continue;
-    result.triangles.push_back(triangles[t]);
+    chosen.push_back(triangles[t]);
     for (const VertexId v : triangles[t].corners) ++degree[index(v)];
   }
+  result.triangles = RankedTriangles(std::move(chosen), triangles.order());
   // An umbrella's triangles are all here: as many are no others.
   std::vector<VertexId>& unsettled = result.unsettled.emplace();
   for (std::uint32_t v = 0; v < size_.size(); ++v)

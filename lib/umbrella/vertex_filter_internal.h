@@ -5,7 +5,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -35,7 +34,7 @@ class Choices {
   /// What the range after this one chooses.
   void append(const Choices& next);
   /// @param triangles  those that the positions mean
-  FilterResult among(std::span<const RankedTriangle> triangles) &&;
+  FilterResult among(const RankedTriangles& triangles) &&;
 
  private:
   static constexpr std::size_t kWordBits = 64;
@@ -55,7 +54,7 @@ class Choices {
 /// @param make_picker  called once by each thread
 template <class MakePicker>
 FilterResult filter_by_vertex(std::size_t n_vertices,
-                              std::span<const RankedTriangle> triangles,
+                              const RankedTriangles& triangles,
                               unsigned threads, const MakePicker& make_picker) {
   const Incidence incidence(
       n_vertices, triangles.size(),

@@ -8,9 +8,11 @@
 #include <map>
 #include <random>
 #include <set>
+#include <span>
 #include <utility>
 #include <vector>
 
+#include "umbrella/rank_order.h"
 #include "umbrella/triangle.h"
 
 namespace tests {
@@ -48,9 +50,18 @@ inline std::vector<RankedTriangle> random_complex(std::size_t n,
   return triangles;
 }
 
+inline std::vector<RankedTriangle> in_order(
+    const umbrella::RankedTriangles& triangles) {
+  std::vector<RankedTriangle> sorted(triangles.begin(), triangles.end());
+  std::sort(sorted.begin(), sorted.end(),
+            [&](const RankedTriangle& a, const RankedTriangle& b) {
+              return triangles.order().before(a, b);
+            });
+  return sorted;
+}
+
 /// G_v.
-inline LinkEdges link(const std::vector<RankedTriangle>& triangles,
-                      VertexId v) {
+inline LinkEdges link(std::span<const RankedTriangle> triangles, VertexId v) {
   LinkEdges edges;
   for (const auto& t : triangles) {
     const auto& [a, b, c] = t.corners;
