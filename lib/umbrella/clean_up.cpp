@@ -106,14 +106,15 @@ void CleanUp::delete_types_2_and_3(std::vector<VertexId> dirty) {
 void CleanUp::classify(VertexId v, std::vector<TriangleIndex>& type2) {
   is_dirty_[index(v)] = false;
   alive_at_v_.clear();
-  cycle_.clear();
   for (const TriangleIndex t : incidence_.at(v)) {
     if (fate_[t] != Fate::Alive) continue;
     alive_at_v_.push_back(t);
     type3_corners_[t] = without_corner(t, v);
-    cycle_.add(opposite_edge(triangles_[t].corners, v));
   }
-  has_umbrella_[index(v)] = cycle_.is_cycle();
+  const std::size_t n = alive_at_v_.size();
+  has_umbrella_[index(v)] = n > 0 && n == cycle_.find(n, [&](std::size_t i) {
+    return opposite_edge(triangles_[alive_at_v_[i]].corners, v);
+  });
   if (!has_umbrella_[index(v)]) classify_in_full(v, type2);
 }
 

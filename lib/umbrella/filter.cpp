@@ -1,18 +1,21 @@
-// Kruskal at every vertex: union-find over the link graph tells the first edge
-// that closes a cycle, and peeling leaves off what was taken so far leaves the
-// cycle alone. The paper searches the graph anew after each triangle; this is
-// near linear in all. The usual few triangles are sorted, and their cycle is
-// found, without a jump that depends on them.
+// Kruskal at every vertex: the first edge that closes a cycle ends it. Nearly
+// always all triangles taken so far are on that cycle, which is seen by
+// following paths. If not, union-find over the link graph tells the edge, and
+// peeling leaves off what was taken leaves the cycle alone. The paper searches
+// the graph anew after each triangle; this is near linear in all. The usual few
+// triangles are sorted without a jump that depends on them.
 #include "umbrella/filter.h"
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <limits>
+#include <cstring>
+#include <numeric>
+#include <utility>
 
+#include "umbrella/cycle_check_internal.h"
 #include "umbrella/first_cycle_internal.h"
-#include "umbrella/incidence_internal.h"
 #include "umbrella/link_graph_internal.h"
 #include "umbrella/vertex_filter_internal.h"
 
@@ -24,19 +27,25 @@ class UmbrellaPicker {
  public:
   UmbrellaPicker(std::size_t n_vertices,
                  std::span<const RankedTriangle> triangles)
-      : triangles_(triangles), few_(n_vertices), graph_(n_vertices) {}
+      : triangles_(triangles),
+        check_(n_vertices),
+        few_(n_vertices),
+        graph_(n_vertices) {}
 
-  /// @param at_v  the triangles at v
-  /// @return the umbrella at v, empty if there is none; valid until the next
-  ///   call
-  std::span<const TriangleIndex> pick(VertexId v,
-                                      std::span<const TriangleIndex> at_v) {
-    umbrella_.clear();
-    if (at_v.size() <= kFew)
-      pick_from_few(v, at_v);
+  /// @return positions in the star, none if it holds no umbrella; valid until
+  ///   the next call
+  std::span<const std::uint32_t> pick(const Star& star) {
+    const std::size_t n = star.triangles.size();
+    if (n > kFew) return pick_from_many(star);
+    if (n <= 2 * kAtOnce)
+      sort_few<2>(star);
+    else if (n <= 3 * kAtOnce)
+      sort_few<3>(star);
+    else if (n <= 4 * kAtOnce)
+      sort_few<4>(star);
     else
-      pick_from_many(v, at_v);
-    return umbrella_;
+      sort_few<8>(star);
+    return pick_from_sorted(star);
   }
 
  private:
@@ -44,109 +53,104 @@ class UmbrellaPicker {
   static constexpr std::size_t kAtOnce = 4;
   /// Keys in one register, and all of them.
   using FourKeys [[gnu::vector_size(16)]] = std::int32_t;
-  using Keys = std::array<FourKeys, kFew / kAtOnce>;
-  using Places = std::array<std::size_t, kFew>;
+  template <std::size_t kRegisters>
+  using Keys = std::array<FourKeys, kRegisters>;
 
-  void pick_from_few(VertexId v, std::span<const TriangleIndex> at_v) {
-    const std::size_t n = at_v.size();
-    Keys keys;
-    std::array<LinkEdge, kFew> edge, sorted;
+  /// Puts the positions of the star's triangles in their order. How many go
+  /// before each takes more comparisons than sorting, but no jump that depends
+  /// on one, and many at once. Keys nearly always suffice.
+  template <std::size_t kRegisters>
+  void sort_few(const Star& star) {
+    constexpr std::size_t kMost = kRegisters * kAtOnce;
+    static_assert(kMost <= kFew && kMost <= 2 * Star::kPadding);
+    const std::size_t n = star.keys.size();
+    Keys<kRegisters> keys;
+    std::memcpy(keys.data(), star.keys.data(), sizeof(keys));
+    Keys<kRegisters> place = {};
     for (std::size_t i = 0; i < n; ++i) {
-      const RankedTriangle& t = triangles_[at_v[i]];
-      keys[i / kAtOnce][i % kAtOnce] = upper_half(t.rank.primary);
-      edge[i] = opposite_edge(t.corners, v);
+      const FourKeys key = FourKeys{} + star.keys[i];
+      // True is -1.
+      for (std::size_t r = 0; r < kRegisters; ++r) place[r] -= key < keys[r];
     }
-    const Places place = places(at_v, keys);
-    std::array<TriangleIndex, kFew> order;
-    for (std::size_t i = 0; i < n; ++i) {
-      order[place[i]] = at_v[i];
-      sorted[place[i]] = edge[i];
-    }
-    for (std::uint32_t bits = few_.find(std::span(sorted).first(n)); bits != 0;
-         bits &= bits - 1)
-      umbrella_.push_back(
-          order[static_cast<std::size_t>(std::countr_zero(bits))]);
-  }
-
-  /// For each triangle how many go before it: more comparisons than sorting
-  /// takes, but no jump that depends on one, and many at once. The upper halves
-  /// of primaries, the keys, nearly always suffice.
-  Places places(std::span<const TriangleIndex> at_v, Keys& keys) const {
-    const std::size_t n = at_v.size();
-    // Before none: so that comparisons go in full registers.
-    std::size_t end = n;
-    for (; end % kAtOnce != 0; ++end)
-      keys[end / kAtOnce][end % kAtOnce] =
-          std::numeric_limits<std::int32_t>::max();
-    Places place;
-    std::size_t sum = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-      const std::int32_t key = keys[i / kAtOnce][i % kAtOnce];
-      FourKeys minus_before = {};  // true is -1
-      for (std::size_t r = 0; r < end / kAtOnce; ++r)
-        minus_before += keys[r] < key;
-      const std::int32_t n_before = -(minus_before[0] + minus_before[1] +
-                                      minus_before[2] + minus_before[3]);
-      sum += place[i] = static_cast<std::size_t>(n_before);
-    }
-    if (sum != n * (n - 1) / 2) part_equal(at_v, keys, place);
-    return place;
+    FourKeys sums = {};
+    for (const FourKeys& four : place) sums += four;
+    // What is no key comes after all n.
+    const std::size_t sum =
+        static_cast<std::size_t>(sums[0] + sums[1] + sums[2] + sums[3]) -
+        n * (kMost - n);
+    std::array<std::int32_t, kMost> place_of;
+    std::memcpy(place_of.data(), place.data(), sizeof(place_of));
+    if (sum != n * (n - 1) / 2) part_equal(star, place_of);
+    for (std::uint32_t i = 0; i < kMost; ++i)
+      order_[static_cast<std::size_t>(place_of[i])] = i;
   }
 
   /// Where keys are equal, as they are on the hull.
-  void part_equal(std::span<const TriangleIndex> at_v, const Keys& keys,
-                  Places& place) const {
-    const auto key = [&keys](std::size_t i) {
-      return keys[i / kAtOnce][i % kAtOnce];
-    };
-    for (std::size_t i = 0; i < at_v.size(); ++i)
-      for (std::size_t k = 0; k < at_v.size(); ++k)
-        if (key(k) == key(i) &&
-            ranks_before(triangles_[at_v[k]], triangles_[at_v[i]]))
+  void part_equal(const Star& star, std::span<std::int32_t> place) const {
+    for (std::size_t i = 0; i < star.keys.size(); ++i)
+      for (std::size_t k = 0; k < star.keys.size(); ++k)
+        if (star.keys[k] == star.keys[i] && ranks_before(star, k, i))
           ++place[i];
   }
-
-  void pick_from_many(VertexId v, std::span<const TriangleIndex> at_v) {
-    order_.assign(at_v.begin(), at_v.end());
-    std::sort(order_.begin(), order_.end(),
-              [this](TriangleIndex a, TriangleIndex b) {
-                return ranks_before(triangles_[a], triangles_[b]);
-              });
-    graph_.clear();
-    const auto closing =
-        std::find_if(order_.begin(), order_.end(), [&](TriangleIndex t) {
-          return graph_.add(opposite_edge(triangles_[t].corners, v));
-        });
-    if (closing == order_.end()) return;
-    const std::vector<std::uint8_t>& stays = graph_.peel();
-    for (std::size_t k = 0; k < stays.size(); ++k)
-      if (stays[k] != 0) umbrella_.push_back(order_[k]);
+  bool ranks_before(const Star& star, std::size_t i, std::size_t k) const {
+    return umbrella::ranks_before(triangles_[star.triangles[i].triangle()],
+                                  triangles_[star.triangles[k].triangle()]);
   }
 
-  /// Ascends with x, and is the same for 0 and -0.
-  static std::int32_t upper_half(double x) {
-    constexpr std::int64_t kAllButSign =
-        std::numeric_limits<std::int64_t>::max();
-    const auto bits = std::bit_cast<std::int64_t>(x + 0.0);
-    return static_cast<std::int32_t>((bits < 0 ? bits ^ kAllButSign : bits) >>
-                                     32);
+  /// Whose positions are in order_.
+  std::span<const std::uint32_t> pick_from_sorted(const Star& star) {
+    const std::size_t n = star.triangles.size();
+    const std::size_t n_taken = check_.find(
+        n, [&](std::size_t i) { return star.triangles[order_[i]].edge; });
+    if (n_taken > 0) return std::span(order_).first(n_taken);
+    std::array<LinkEdge, kFew> edges;
+    for (std::size_t i = 0; i < n; ++i)
+      edges[i] = star.triangles[order_[i]].edge;
+    std::size_t n_on_cycle = 0;
+    for (std::uint32_t bits = few_.find(std::span(edges).first(n)); bits != 0;
+         bits &= bits - 1)
+      order_[n_on_cycle++] =
+          order_[static_cast<std::size_t>(std::countr_zero(bits))];
+    return std::span(order_).first(n_on_cycle);
+  }
+
+  std::span<const std::uint32_t> pick_from_many(const Star& star) {
+    many_.resize(star.triangles.size());
+    std::iota(many_.begin(), many_.end(), 0U);
+    std::sort(many_.begin(), many_.end(),
+              [&](std::uint32_t i, std::uint32_t k) {
+                return ranks_before(star, i, k);
+              });
+    graph_.clear();
+    const bool has_cycle = std::any_of(
+        many_.begin(), many_.end(),
+        [&](std::uint32_t i) { return graph_.add(star.triangles[i].edge); });
+    if (!has_cycle) return {};
+    const std::vector<std::uint8_t>& stays = graph_.peel();
+    std::size_t n_on_cycle = 0;
+    for (std::size_t k = 0; k < stays.size(); ++k)
+      if (stays[k] != 0) many_[n_on_cycle++] = many_[k];
+    return std::span(many_).first(n_on_cycle);
   }
 
   std::span<const RankedTriangle> triangles_;
+  CycleCheck check_;
   FirstCycle few_;
   LinkGraph graph_;
-  std::vector<TriangleIndex> order_;
-  std::vector<TriangleIndex> umbrella_;
+  // Positions in the star at hand, ordered by rank; one more for what is none.
+  std::array<std::uint32_t, kFew + 1> order_ = {};
+  std::vector<std::uint32_t> many_;
 };
 
 }  // namespace
 
 FilterResult umbrella_filter(std::size_t n_vertices,
-                             std::span<const RankedTriangle> triangles,
+                             std::vector<RankedTriangle> triangles,
                              unsigned threads) {
-  return filter_by_vertex(n_vertices, triangles, threads, [&] {
-    return UmbrellaPicker(n_vertices, triangles);
-  });
+  return filter_by_vertex(n_vertices, std::move(triangles), threads,
+                          [&](std::span<const RankedTriangle> all) {
+                            return UmbrellaPicker(n_vertices, all);
+                          });
 }
 
 }  // namespace umbrella

@@ -166,15 +166,15 @@ FilterResult Pipeline::filtered(const Triangulation3& triangulation,
     return result;
   }
   double seconds = 0;
-  const auto ranked = timed("lambda", seconds, [&] {
+  auto ranked = timed("lambda", seconds, [&] {
     return ranked_by(options_.criterion, triangulation, spheres,
                      options_.threads);
   });
   result_.seconds.lambda += seconds;
   result_.counts.admissible_triangles = ranked.size();
   return timed("filter", result_.seconds.filter, [&] {
-    return umbrella_filter(triangulation.points(), ranked, options_.umbrella,
-                           options_.threads);
+    return umbrella_filter(triangulation.points(), std::move(ranked),
+                           options_.umbrella, options_.threads);
   });
 }
 
