@@ -5,7 +5,6 @@
 
 #include <cstddef>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "umbrella/triangle.h"
@@ -14,8 +13,7 @@ namespace umbrella {
 
 struct CleanUpOptions {
   /// Closed pieces of at most this many triangles are dissolved at the end:
-  /// mostly tetrahedra that block their surroundings. The time grows with the
-  /// square of it.
+  /// mostly tetrahedra that block their surroundings.
   std::size_t largest_dissolved = 12;
 };
 
@@ -37,11 +35,11 @@ struct CleanUpResult {
 /// the one of type 3 that ranks last; and repeats both.
 ///
 /// @param n_vertices  all ids in `triangles` are below it
-/// @param triangles  distinct
+/// @param triangles  distinct; quickest if moved here
 /// @param unsettled  vertices at which there are other triangles than those of
 ///   one umbrella, or none; ascending. All may be, if nobody knows
 CleanUpResult clean_up(
-    std::size_t n_vertices, std::span<const RankedTriangle> triangles,
+    std::size_t n_vertices, std::vector<RankedTriangle> triangles,
     const CleanUpOptions& options = {},
     const std::optional<std::vector<VertexId>>& unsettled = {});
 
