@@ -10,6 +10,7 @@
 #include "tests/support/complexes.h"
 #include "umbrella/first_cycle_internal.h"
 #include "umbrella/link_graph_internal.h"
+#include "umbrella/star_sweep_internal.h"
 
 namespace umbrella {
 namespace {
@@ -103,6 +104,82 @@ TEST(UmbrellaFilter, DoesNotDependOnTheOrderOfTheTriangles) {
     std::sort(shuffled.begin(), shuffled.end());
     EXPECT_EQ(shuffled, expected);
   }
+}
+
+TEST(UmbrellaFilter, DoesNotDependOnTheNumberOfThreads) {
+  std::mt19937_64 rng(4);
+  for (std::uint64_t trial = 0; trial < 50; ++trial) {
+    SCOPED_TRACE(testing::Message() << "trial " << trial);
+    auto triangles = tests::random_complex(kVertices, 0.4, trial);
+    if (trial % 2 == 1) std::shuffle(triangles.begin(), triangles.end(), rng);
+    const auto one = umbrella_filter(kVertices, RankedTriangles(triangles));
+    const auto three =
+        umbrella_filter(kVertices, RankedTriangles(triangles), 3);
+    EXPECT_EQ(corners_of(three.triangles), corners_of(one.triangles));
+    EXPECT_EQ(three.without_umbrella, one.without_umbrella);
+    EXPECT_EQ(three.unsettled, one.unsettled);
+  }
+}
+
+/// Corners 3 t + i that are the vertex, of all triangles, ascending.
+std::vector<std::uint32_t> corners_at(
+    VertexId v, const std::vector<RankedTriangle>& triangles) {
+  std::vector<std::uint32_t> result;
+  for (std::uint32_t t = 0; t < triangles.size(); ++t)
+    for (std::uint32_t i = 0; i < 3; ++i)
+      if (triangles[t].corners[i] == v) result.push_back(3 * t + i);
+  return result;
+}
+
+void expect_star(const Star& star,
+                 const std::vector<RankedTriangle>& triangles) {
+  std::vector<std::uint32_t> corners;
+  ASSERT_EQ(star.keys.size(), star.triangles.size());
+  for (std::size_t i = 0; i < star.triangles.size(); ++i) {
+    const auto& [corner, edge] = star.triangles[i];
+    corners.push_back(corner);
+    EXPECT_EQ(edge, opposite_edge(triangles[corner / 3].corners, star.vertex));
+    for (std::size_t k = 0; k < i; ++k) {
+      const double other = triangles[star.triangles[k].triangle()].rank.primary;
+      const double own = triangles[corner / 3].rank.primary;
+      if (star.keys[k] == star.keys[i]) continue;
+      EXPECT_EQ(star.keys[k] < star.keys[i], other < own);
+    }
+  }
+  std::sort(corners.begin(), corners.end());
+  EXPECT_EQ(corners, corners_at(star.vertex, triangles));
+}
+
+TEST(StarSweep, HasTheTrianglesOfEachVertex) {
+  std::mt19937_64 rng(5);
+  constexpr std::size_t kMany = 24;  // more triangles at a vertex than padding
+  for (std::uint64_t trial = 0; trial < 20; ++trial) {
+    SCOPED_TRACE(testing::Message() << "trial " << trial);
+    auto triangles = tests::random_complex(kMany, 0.3, trial);
+    for (auto& t : triangles)
+      t.rank.primary = 1.0 * static_cast<int>(rng() % 9) - 4 +
+                       0x1p-40 * static_cast<int>(rng() % 3);
+    const std::size_t begin = rng() % kMany,
+                      end = begin + rng() % (kMany - begin);
+    StarSweep sweep(triangles, {}, {begin, end});
+    for (std::size_t v = begin; v < end; ++v)
+      expect_star(sweep.next(), triangles);
+    EXPECT_TRUE(sweep.has_seen_all());
+  }
+}
+
+TEST(StarSweep, KnowsWhenTrianglesAreNotInOrder) {
+  const std::vector<RankedTriangle> triangles = {
+      ranked(0, 1, 2, 1), ranked(2, 3, 4, 1), ranked(1, 2, 3, 1)};
+  const std::vector<TriangleIndex> order = {0, 2, 1};
+  StarSweep in_order(triangles, order, {0, 5});
+  StarSweep as_they_lie(triangles, {}, {0, 5});
+  for (std::size_t v = 0; v < 5; ++v) {
+    expect_star(in_order.next(), triangles);
+    as_they_lie.next();
+  }
+  EXPECT_TRUE(in_order.has_seen_all());
+  EXPECT_FALSE(as_they_lie.has_seen_all());
 }
 
 TEST(UmbrellaFilter, PrefersTheUmbrellaWithTheBetterWorstTriangle) {

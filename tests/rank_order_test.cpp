@@ -103,7 +103,9 @@ void expect_same_order_at_once(const RankedTriangles& triangles) {
             [&](TriangleIndex a, TriangleIndex b) {
               return triangles.order().before(triangles[a], triangles[b]);
             });
-  triangles.order().sort(triangles, at_once);
+  triangles.order().sort(
+      at_once,
+      [&](TriangleIndex t) -> const RankedTriangle& { return triangles[t]; });
   EXPECT_EQ(at_once, one_by_one);
 }
 
@@ -152,7 +154,9 @@ TEST(RankOrder, TakesRanksAsTheyAreWithoutExactOnes) {
   const RankedTriangles triangles(ranks.rounded);
   std::vector<TriangleIndex> sorted(triangles.size());
   std::iota(sorted.begin(), sorted.end(), TriangleIndex{0});
-  triangles.order().sort(triangles, sorted);
+  triangles.order().sort(sorted, [&](TriangleIndex t) -> const RankedTriangle& {
+    return triangles[t];
+  });
   for (std::size_t i = 1; i < sorted.size(); ++i)
     EXPECT_LT(triangles[sorted[i - 1]].rank, triangles[sorted[i]].rank);
 }

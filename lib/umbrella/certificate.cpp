@@ -260,15 +260,18 @@ class UmbrellaCheck {
       links[from] = {v, to};
     }
     // No two triangles leave towards one neighbour: back at the start after
-    // all of them, the walk has met each once.
+    // all of them and not before, the walk has met each once. It takes as many
+    // steps however soon it is back, so that nothing waits for its end.
     const std::uint32_t start = sides.front()[0];
     std::uint32_t w = start;
-    for (std::size_t n = 1; n <= sides.size(); ++n) {
+    std::size_t n_at_start = 0;
+    bool has_left = false;
+    for (std::size_t n = 0; n < sides.size(); ++n) {
       w = links[w].next;
-      if (links[w].center != v) return false;
-      if (w == start) return n == sides.size() && n >= kLeast;
+      has_left |= links[w].center != v;
+      n_at_start += w == start ? 1 : 0;
     }
-    return false;
+    return w == start && n_at_start == 1 && !has_left && sides.size() >= kLeast;
   }
 
   std::vector<std::uint32_t> first_;  // of a vertex: its part of sides_
@@ -385,8 +388,9 @@ void measure(std::span<const Eigen::Vector3d> vertices,
     const Eigen::Vector3d a = corner(0) - *origin;
     const Eigen::Vector3d b = corner(1) - *origin;
     const Eigen::Vector3d c = corner(2) - *origin;
-    report.area += (b - a).cross(c - a).norm() / 2;
-    volume += a.dot(b.cross(c)) / 6;
+    const Eigen::Vector3d normal = (b - a).cross(c - a);
+    report.area += normal.norm() / 2;
+    volume += a.dot(normal) / 6;
   }
   report.area = std::ldexp(report.area, -2 * exponent);
   if (!report.closed || !report.oriented) return;

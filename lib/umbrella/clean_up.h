@@ -14,8 +14,7 @@ namespace umbrella {
 
 struct CleanUpOptions {
   /// Closed pieces of at most this many triangles are dissolved at the end:
-  /// mostly tetrahedra that block their surroundings. The time grows with the
-  /// square of it.
+  /// mostly tetrahedra that block their surroundings.
   std::size_t largest_dissolved = 12;
 };
 
@@ -37,10 +36,11 @@ struct CleanUpResult {
 /// the one of type 3 that ranks last; and repeats both.
 ///
 /// @param n_vertices  all ids in `triangles` are below it
+/// @param triangles  quickest if moved here
 /// @param unsettled  vertices at which there are other triangles than those of
 ///   one umbrella, or none; ascending. All may be, if nobody knows
 CleanUpResult clean_up(
-    std::size_t n_vertices, const RankedTriangles& triangles,
+    std::size_t n_vertices, RankedTriangles triangles,
     const CleanUpOptions& options = {},
     const std::optional<std::vector<VertexId>>& unsettled = {});
 

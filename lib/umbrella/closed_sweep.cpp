@@ -37,7 +37,7 @@ class Sweep {
 
   bool visit(VertexId v, TriangleIndex begin, TriangleIndex end);
   bool find_edges(VertexId v, TriangleIndex begin, TriangleIndex end);
-  bool pass_on(VertexId v, TriangleIndex t, bool runs_up);
+  bool pass_on(VertexId v, TriangleIndex t, std::uint32_t runs_up);
   bool relate(TriangleIndex t, std::uint32_t label);
   template <class Visit>
   void for_each_back(VertexId v, Visit visit) const {
@@ -70,12 +70,12 @@ bool Sweep::run() {
 bool Sweep::visit(VertexId v, TriangleIndex begin, TriangleIndex end) {
   if (!find_edges(v, begin, end)) return false;
   bool agrees = true;
-  for_each_back(
-      v, [&](TriangleIndex t) { agrees = pass_on(v, t, true) && agrees; });
+  for_each_back(v,
+                [&](TriangleIndex t) { agrees = pass_on(v, t, 1) && agrees; });
   for (TriangleIndex t = begin; t < end; ++t) {
     if (labels_[t] != kNone) continue;
     labels_[t] = 2 * patches_.add();
-    agrees = pass_on(v, t, false) && agrees;
+    agrees = pass_on(v, t, 0) && agrees;
   }
   return agrees;
 }
@@ -88,10 +88,10 @@ bool Sweep::find_edges(VertexId v, TriangleIndex begin, TriangleIndex end) {
   // No processor can guess which triangle is the first at its edge.
   const auto meet = [&](VertexId high, TriangleIndex t) {
     Edge& edge = edge_to_[index(high)];
-    const bool is_second = edge.state == with_one;
+    const auto is_second = static_cast<std::uint32_t>(edge.state == with_one);
     has_more |= edge.state == with_one + 1;
-    edge = {with_one + (is_second ? 1 : 0), (is_second ? edge.both : 0) ^ t};
-    n_with_one += is_second ? -1 : 1;
+    edge = {with_one + is_second, (edge.both & (0U - is_second)) ^ t};
+    n_with_one += 1 - 2 * static_cast<std::ptrdiff_t>(is_second);
   };
   for_each_back(v, [&](TriangleIndex t) { meet(corners(t)[2], t); });
   for (TriangleIndex t = begin; t < end; ++t) {
@@ -106,20 +106,22 @@ bool Sweep::find_edges(VertexId v, TriangleIndex begin, TriangleIndex end) {
 /// Turns the triangles that follow t around v like it, beyond its last corner
 /// first, up to one that has been turned. @return whether that agrees
 ///
-/// @param runs_up  whether t, as it is, runs up along its edge to that corner
-bool Sweep::pass_on(VertexId v, TriangleIndex t, bool runs_up) {
+/// @param runs_up  1 if t, as it is, runs up along its edge to that corner, or
+///   0
+bool Sweep::pass_on(VertexId v, TriangleIndex t, std::uint32_t runs_up) {
   VertexId high = corners(t)[2];
   std::uint32_t label = labels_[t];
   while (true) {
     t ^= edge_to_[index(high)].both;
     const auto& [a, b, c] = corners(t);
-    const bool is_up = a != v || b == high;
-    label ^= is_up == runs_up ? 1U : 0U;
+    const auto is_up = static_cast<std::uint32_t>(a != v) |
+                       static_cast<std::uint32_t>(b == high);
+    label ^= is_up ^ runs_up ^ 1U;
     if (labels_[t] != kNone) return relate(t, label);
     labels_[t] = label;
     // Its first corner is v: it comes up one edge and goes down the other.
-    high = is_up ? c : b;
-    runs_up = !is_up;
+    high = b == high ? c : b;
+    runs_up = is_up ^ 1U;
   }
 }
 

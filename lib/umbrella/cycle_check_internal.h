@@ -2,8 +2,11 @@
 /// The usual case of a link graph, told without building it.
 #pragma once
 
+#include <algorithm>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "umbrella/incidence_internal.h"
@@ -16,58 +19,65 @@ class CycleCheck {
  public:
   explicit CycleCheck(std::size_t n_vertices) : nodes_(n_vertices) {}
 
-  void clear() {
-    ++n_graphs_;
-    n_nodes_ = n_edges_ = largest_degree_ = 0;
-  }
-  /// Adds an edge, new to the graph.
-  void add(const LinkEdge& ends) {
-    ++n_edges_;
-    enter(ends[0], ends[1]);
-    enter(ends[1], ends[0]);
-    last_ = ends;
-  }
-
-  bool is_cycle() const {
-    // As many nodes as edges, and no degree above two: so each is two.
-    if (n_edges_ == 0 || n_nodes_ != n_edges_ || largest_degree_ > 2)
-      return false;
-    std::uint32_t from = number(last_[0]), at = number(last_[1]);
-    std::uint32_t n = 1;
-    for (const std::uint32_t start = from; at != start; ++n) {
-      const std::uint32_t next = nodes_[at].others ^ from;
-      from = at;
-      at = next;
-    }
-    return n == n_edges_;
+  /// Adds one edge after another until there are as many nodes as edges, as
+  /// there are in a cycle, and not before it closes. At most 2^30 times.
+  ///
+  /// @param edge  callable: the i-th of n distinct edges
+  /// @return the number of edges, if they are a simple cycle; 0 otherwise. So n
+  ///   says that all are one
+  template <class EdgeAt>
+  std::size_t find(std::size_t n, EdgeAt edge) {
+    assert(graph_ < std::numeric_limits<std::uint32_t>::max() - kDegrees);
+    graph_ += kDegrees;
+    std::size_t n_nodes = 0, n_edges = 0;
+    LinkEdge last = {};
+    do {
+      if (n_edges == n) return 0;
+      last = edge(n_edges++);
+      for (const unsigned i : {0, 1}) {
+        Node& node = nodes_[index(last[i])];
+        // Masked, not jumped over: whether it is new, no processor can guess.
+        const std::uint32_t if_known =
+            0U - static_cast<std::uint32_t>(node.state > graph_);
+        if (node.state == graph_ + 2) return 0;
+        node = {std::max(node.state, graph_) + 1,
+                (node.others & if_known) ^ number(last[1 - i])};
+        n_nodes += if_known + 1;
+      }
+    } while (n_nodes != n_edges);
+    return is_one(n_edges, last) ? n_edges : 0;
   }
 
  private:
+  static constexpr std::uint32_t kDegrees = 4;
+
   struct Node {
-    std::uint32_t graph = 0;   // the last it was in
-    std::uint32_t degree = 0;  // there
+    std::uint32_t state = 0;   // the last graph it was in, and its degree there
     std::uint32_t others = 0;  // XOR of the other ends of its edges there
   };
 
   static std::uint32_t number(VertexId v) {
     return static_cast<std::uint32_t>(v);
   }
-  void enter(VertexId v, VertexId other) {
-    Node& node = nodes_[index(v)];
-    // Selected, not jumped over: whether it is new, no processor can guess.
-    const bool is_new = node.graph != n_graphs_;
-    node.graph = n_graphs_;
-    node.degree = (is_new ? 0 : node.degree) + 1;
-    node.others = (is_new ? 0 : node.others) ^ number(other);
-    n_nodes_ += is_new ? 1 : 0;
-    largest_degree_ =
-        node.degree > largest_degree_ ? node.degree : largest_degree_;
+
+  /// Whether that many edges, which are cycles, are a single one.
+  bool is_one(std::size_t n_edges, const LinkEdge& edge) const {
+    const std::uint32_t start = number(edge[0]);
+    std::uint32_t from = start, at = number(edge[1]);
+    std::uint32_t n_at_start = 0;
+    // As many steps as edges, however soon it is back: so the next graph need
+    // not wait for it.
+    for (std::size_t n = 1; n < n_edges; ++n) {
+      n_at_start += at == start ? 1 : 0;
+      const std::uint32_t next = nodes_[at].others ^ from;
+      from = at;
+      at = next;
+    }
+    return n_at_start == 0 && at == start;
   }
 
   std::vector<Node> nodes_;
-  std::uint32_t n_graphs_ = 0;
-  std::uint32_t n_nodes_ = 0, n_edges_ = 0, largest_degree_ = 0;
-  LinkEdge last_ = {};
+  std::uint32_t graph_ = 0;  // a multiple of kDegrees
 };
 
 }  // namespace umbrella

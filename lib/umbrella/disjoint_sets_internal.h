@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace umbrella {
@@ -17,6 +18,10 @@ class DisjointSets {
   explicit DisjointSets(std::size_t n) : parent_(n) {
     std::iota(parent_.begin(), parent_.end(), std::uint32_t{0});
   }
+  /// @param parent  of each member one in its set, itself or a smaller one
+  explicit DisjointSets(std::vector<std::uint32_t> parent)
+      : parent_(std::move(parent)) {}
+
   std::uint32_t root(std::size_t i) {
     auto r = static_cast<std::uint32_t>(i);
     while (parent_[r] != r) r = parent_[r] = parent_[parent_[r]];

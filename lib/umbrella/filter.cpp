@@ -1,18 +1,21 @@
-// Kruskal at every vertex: union-find over the link graph tells the first edge
-// that closes a cycle, and peeling leaves off what was taken so far leaves the
-// cycle alone. The paper searches the graph anew after each triangle; this is
-// near linear in all. The usual few triangles are sorted, and their cycle is
-// found, without a jump that depends on them.
+// Kruskal at every vertex: the first edge that closes a cycle ends it. Nearly
+// always all triangles taken so far are on that cycle, which is seen by
+// following paths. If not, union-find over the link graph tells the edge, and
+// peeling leaves off what was taken leaves the cycle alone. The paper searches
+// the graph anew after each triangle; this is near linear in all. The usual few
+// triangles are sorted without a jump that depends on them.
 #include "umbrella/filter.h"
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <limits>
+#include <cstring>
+#include <numeric>
+#include <utility>
 
+#include "umbrella/cycle_check_internal.h"
 #include "umbrella/first_cycle_internal.h"
-#include "umbrella/incidence_internal.h"
 #include "umbrella/link_graph_internal.h"
 #include "umbrella/vertex_filter_internal.h"
 
@@ -23,19 +26,25 @@ namespace {
 class UmbrellaPicker {
  public:
   UmbrellaPicker(std::size_t n_vertices, const RankedTriangles& triangles)
-      : triangles_(triangles), few_(n_vertices), graph_(n_vertices) {}
+      : triangles_(triangles),
+        check_(n_vertices),
+        few_(n_vertices),
+        graph_(n_vertices) {}
 
-  /// @param at_v  the triangles at v
-  /// @return the umbrella at v, empty if there is none; valid until the next
-  ///   call
-  std::span<const TriangleIndex> pick(VertexId v,
-                                      std::span<const TriangleIndex> at_v) {
-    umbrella_.clear();
-    if (at_v.size() <= kFew)
-      pick_from_few(v, at_v);
+  /// @return positions in the star, none if it holds no umbrella; valid until
+  ///   the next call
+  std::span<const std::uint32_t> pick(const Star& star) {
+    const std::size_t n = star.triangles.size();
+    if (n > kFew) return pick_from_many(star);
+    if (n <= 2 * kAtOnce)
+      sort_few<2>(star);
+    else if (n <= 3 * kAtOnce)
+      sort_few<3>(star);
+    else if (n <= 4 * kAtOnce)
+      sort_few<4>(star);
     else
-      pick_from_many(v, at_v);
-    return umbrella_;
+      sort_few<8>(star);
+    return pick_from_sorted(star);
   }
 
  private:
@@ -43,145 +52,155 @@ class UmbrellaPicker {
   static constexpr std::size_t kAtOnce = 4;
   /// Keys in one register, and all of them.
   using FourKeys [[gnu::vector_size(16)]] = std::int32_t;
-  using Keys = std::array<FourKeys, kFew / kAtOnce>;
-  using Places = std::array<std::size_t, kFew>;
+  template <std::size_t kRegisters>
+  using Keys = std::array<FourKeys, kRegisters>;
 
-  void pick_from_few(VertexId v, std::span<const TriangleIndex> at_v) {
-    const std::size_t n = at_v.size();
-    Keys keys;
-    std::array<LinkEdge, kFew> edge, sorted;
+  /// Puts the positions of the star's triangles in their order. How many go
+  /// before each takes more comparisons than sorting, but no jump that depends
+  /// on one, and many at once. Keys nearly always suffice.
+  template <std::size_t kRegisters>
+  void sort_few(const Star& star) {
+    constexpr std::size_t kMost = kRegisters * kAtOnce;
+    static_assert(kMost <= kFew && kMost <= 2 * Star::kPadding);
+    const std::size_t n = star.keys.size();
+    Keys<kRegisters> keys;
+    std::memcpy(keys.data(), star.keys.data(), sizeof(keys));
+    Keys<kRegisters> place = {};
     for (std::size_t i = 0; i < n; ++i) {
-      const RankedTriangle& t = triangles_[at_v[i]];
-      keys[i / kAtOnce][i % kAtOnce] = upper_half(t.rank.primary);
-      edge[i] = opposite_edge(t.corners, v);
+      const FourKeys key = FourKeys{} + star.keys[i];
+      // True is -1.
+      for (std::size_t r = 0; r < kRegisters; ++r) place[r] -= key < keys[r];
     }
-    const Places place = places(at_v, keys);
-    std::array<TriangleIndex, kFew> order;
-    for (std::size_t i = 0; i < n; ++i) {
-      order[place[i]] = at_v[i];
-      sorted[place[i]] = edge[i];
-    }
-    std::uint32_t bits = few_.find(std::span(sorted).first(n));
-    // The edge that closes the cycle is the last one on it.
-    if (bits != 0 &&
-        settle_ties(std::span(order).first(n),
-                    static_cast<std::size_t>(std::bit_width(bits) - 1))) {
-      for (std::size_t i = 0; i < n; ++i)
-        sorted[i] = opposite_edge(triangles_[order[i]].corners, v);
-      bits = few_.find(std::span(sorted).first(n));
-    }
-    for (; bits != 0; bits &= bits - 1)
-      umbrella_.push_back(
-          order[static_cast<std::size_t>(std::countr_zero(bits))]);
-  }
-
-  /// The umbrella is among the triangles up to the one that closes it, whatever
-  /// the order of these: so exact ranks matter only where others are as near to
-  /// the closing one as doubles tell. Puts these in exact order.
-  ///
-  /// @param sorted  as doubles tell
-  /// @return whether there are any
-  bool settle_ties(std::span<TriangleIndex> sorted, std::size_t closing) const {
-    const RankOrder& order = triangles_.order();
-    const auto ties = [&](std::size_t i) {
-      return order.is_near_tie(triangles_[sorted[i]],
-                               triangles_[sorted[i + 1]]);
-    };
-    std::size_t begin = closing, last = closing;
-    while (begin > 0 && ties(begin - 1)) --begin;
-    while (last + 1 < sorted.size() && ties(last)) ++last;
-    if (begin == last) return false;
-    order.sort(triangles_, sorted.subspan(begin, last + 1 - begin));
-    return true;
-  }
-
-  /// For each triangle how many go before it: more comparisons than sorting
-  /// takes, but no jump that depends on one, and many at once. The upper halves
-  /// of primaries, the keys, nearly always suffice.
-  Places places(std::span<const TriangleIndex> at_v, Keys& keys) const {
-    const std::size_t n = at_v.size();
-    // Before none: so that comparisons go in full registers.
-    std::size_t end = n;
-    for (; end % kAtOnce != 0; ++end)
-      keys[end / kAtOnce][end % kAtOnce] =
-          std::numeric_limits<std::int32_t>::max();
-    Places place;
-    std::size_t sum = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-      const std::int32_t key = keys[i / kAtOnce][i % kAtOnce];
-      FourKeys minus_before = {};  // true is -1
-      for (std::size_t r = 0; r < end / kAtOnce; ++r)
-        minus_before += keys[r] < key;
-      const std::int32_t n_before = -(minus_before[0] + minus_before[1] +
-                                      minus_before[2] + minus_before[3]);
-      sum += place[i] = static_cast<std::size_t>(n_before);
-    }
-    if (sum != n * (n - 1) / 2) part_equal(at_v, keys, place);
-    return place;
+    FourKeys sums = {};
+    for (const FourKeys& four : place) sums += four;
+    // What is no key comes after all n.
+    const std::size_t sum =
+        static_cast<std::size_t>(sums[0] + sums[1] + sums[2] + sums[3]) -
+        n * (kMost - n);
+    std::array<std::int32_t, kMost> place_of;
+    std::memcpy(place_of.data(), place.data(), sizeof(place_of));
+    if (sum != n * (n - 1) / 2) part_equal(star, place_of);
+    for (std::uint32_t i = 0; i < kMost; ++i)
+      order_[static_cast<std::size_t>(place_of[i])] = i;
   }
 
   /// Where keys are equal, as they are on the hull.
-  void part_equal(std::span<const TriangleIndex> at_v, const Keys& keys,
-                  Places& place) const {
-    const auto key = [&keys](std::size_t i) {
-      return keys[i / kAtOnce][i % kAtOnce];
-    };
-    for (std::size_t i = 0; i < at_v.size(); ++i)
-      for (std::size_t k = 0; k < at_v.size(); ++k)
-        if (key(k) == key(i) &&
-            ranks_before(triangles_[at_v[k]], triangles_[at_v[i]]))
+  void part_equal(const Star& star, std::span<std::int32_t> place) const {
+    for (std::size_t i = 0; i < star.keys.size(); ++i)
+      for (std::size_t k = 0; k < star.keys.size(); ++k)
+        if (star.keys[k] == star.keys[i] && ranks_before(star, k, i))
           ++place[i];
   }
+  const RankedTriangle& triangle(const Star& star, std::size_t i) const {
+    return triangles_[star.triangles[i].triangle()];
+  }
+  bool ranks_before(const Star& star, std::size_t i, std::size_t k) const {
+    return umbrella::ranks_before(triangle(star, i), triangle(star, k));
+  }
 
-  void pick_from_many(VertexId v, std::span<const TriangleIndex> at_v) {
-    order_.assign(at_v.begin(), at_v.end());
-    std::sort(order_.begin(), order_.end(),
-              [this](TriangleIndex a, TriangleIndex b) {
-                return ranks_before(triangles_[a], triangles_[b]);
+  /// The umbrella is among the triangles up to the one that closes it, whatever
+  /// the order of these. So exact ranks matter only where others are as near to
+  /// that one as doubles tell: puts these in exact order.
+  ///
+  /// @param sorted  positions in the star, as doubles tell
+  /// @param closing  place of the closing one
+  /// @return whether there are others
+  bool settle_ties(const Star& star, std::span<std::uint32_t> sorted,
+                   std::size_t closing) const {
+    const auto ties_with_next = [&](std::size_t i) {
+      const std::uint32_t a = sorted[i], b = sorted[i + 1];
+      // Ranks that are so near have keys that differ by one at most.
+      return star.keys[b] - star.keys[a] <= 1 &&
+             triangles_.order().is_near_tie(triangle(star, a),
+                                            triangle(star, b));
+    };
+    std::size_t begin = closing, last = closing;
+    while (begin > 0 && ties_with_next(begin - 1)) --begin;
+    while (last + 1 < sorted.size() && ties_with_next(last)) ++last;
+    if (begin == last) return false;
+    triangles_.order().sort(sorted.subspan(begin, last + 1 - begin),
+                            [&](std::uint32_t i) -> const RankedTriangle& {
+                              return triangle(star, i);
+                            });
+    return true;
+  }
+
+  /// Whose positions are in order_.
+  std::span<const std::uint32_t> pick_from_sorted(const Star& star) {
+    const std::size_t n = star.triangles.size();
+    const auto last = [](std::uint32_t bits) {
+      return static_cast<std::size_t>(std::bit_width(bits) - 1);
+    };
+    std::uint32_t bits = first_cycle(star);
+    if (bits == 0) return {};
+    // The edge that closes the cycle is the last one on it.
+    if (settle_ties(star, std::span(order_).first(n), last(bits)))
+      bits = first_cycle(star);
+    if ((bits & (bits + 1)) == 0)
+      return std::span(order_).first(last(bits) + 1);
+    std::size_t n_on_cycle = 0;
+    for (; bits != 0; bits &= bits - 1)
+      order_[n_on_cycle++] =
+          order_[static_cast<std::size_t>(std::countr_zero(bits))];
+    return std::span(order_).first(n_on_cycle);
+  }
+
+  /// Places in order_, as bits.
+  std::uint32_t first_cycle(const Star& star) {
+    const std::size_t n = star.triangles.size();
+    const std::size_t n_taken = check_.find(
+        n, [&](std::size_t i) { return star.triangles[order_[i]].edge; });
+    if (n_taken > 0) return 0xffff'ffffU >> (kFew - n_taken);
+    std::array<LinkEdge, kFew> edges;
+    for (std::size_t i = 0; i < n; ++i)
+      edges[i] = star.triangles[order_[i]].edge;
+    return few_.find(std::span(edges).first(n));
+  }
+
+  std::span<const std::uint32_t> pick_from_many(const Star& star) {
+    many_.resize(star.triangles.size());
+    std::iota(many_.begin(), many_.end(), 0U);
+    std::sort(many_.begin(), many_.end(),
+              [&](std::uint32_t i, std::uint32_t k) {
+                return ranks_before(star, i, k);
               });
-    const std::size_t closing = add_until_closed(v);
-    if (closing == order_.size()) return;
-    if (settle_ties(order_, closing)) add_until_closed(v);
+    const std::size_t closing = add_until_closed(star);
+    if (closing == many_.size()) return {};
+    if (settle_ties(star, many_, closing)) add_until_closed(star);
     const std::vector<std::uint8_t>& stays = graph_.peel();
+    std::size_t n_on_cycle = 0;
     for (std::size_t k = 0; k < stays.size(); ++k)
-      if (stays[k] != 0) umbrella_.push_back(order_[k]);
+      if (stays[k] != 0) many_[n_on_cycle++] = many_[k];
+    return std::span(many_).first(n_on_cycle);
   }
 
-  /// Adds the triangles at v in their order to the graph.
-  /// @return the place of the one that closes a cycle, or their number
-  std::size_t add_until_closed(VertexId v) {
+  /// Of the triangles in many_, to graph_. @return the place of the one that
+  ///   closes a cycle, or their number
+  std::size_t add_until_closed(const Star& star) {
     graph_.clear();
-    const auto closing =
-        std::find_if(order_.begin(), order_.end(), [&](TriangleIndex t) {
-          return graph_.add(opposite_edge(triangles_[t].corners, v));
-        });
-    return static_cast<std::size_t>(closing - order_.begin());
-  }
-
-  /// Ascends with x, and is the same for 0 and -0.
-  static std::int32_t upper_half(double x) {
-    constexpr std::int64_t kAllButSign =
-        std::numeric_limits<std::int64_t>::max();
-    const auto bits = std::bit_cast<std::int64_t>(x + 0.0);
-    return static_cast<std::int32_t>((bits < 0 ? bits ^ kAllButSign : bits) >>
-                                     32);
+    const auto closing = std::find_if(
+        many_.begin(), many_.end(),
+        [&](std::uint32_t i) { return graph_.add(star.triangles[i].edge); });
+    return static_cast<std::size_t>(closing - many_.begin());
   }
 
   const RankedTriangles& triangles_;
+  CycleCheck check_;
   FirstCycle few_;
   LinkGraph graph_;
-  std::vector<TriangleIndex> order_;
-  std::vector<TriangleIndex> umbrella_;
+  // Positions in the star at hand, ordered by rank; one more for what is none.
+  std::array<std::uint32_t, kFew + 1> order_ = {};
+  std::vector<std::uint32_t> many_;
 };
 
 }  // namespace
 
-FilterResult umbrella_filter(std::size_t n_vertices,
-                             const RankedTriangles& triangles,
+FilterResult umbrella_filter(std::size_t n_vertices, RankedTriangles triangles,
                              unsigned threads) {
-  return filter_by_vertex(n_vertices, triangles, threads, [&] {
-    return UmbrellaPicker(n_vertices, triangles);
-  });
+  return filter_by_vertex(n_vertices, std::move(triangles), threads,
+                          [&](const RankedTriangles& all) {
+                            return UmbrellaPicker(n_vertices, all);
+                          });
 }
 
 }  // namespace umbrella

@@ -23,15 +23,16 @@ struct FilterResult {
   std::optional<std::vector<VertexId>> unsettled;
 };
 
-/// Takes the triangles at each vertex v in the order of their ranks until
+/// Takes the triangles at each vertex v in their order until
 /// they hold an umbrella: a cycle in the graph G_v, which joins p and q for
 /// each triangle v p q. One edge closes the first cycle, so the umbrella is
 /// unique; the other triangles taken at v are dropped again.
 ///
 /// @param n_vertices  all ids in `triangles` are below it
+/// @param triangles  in any order; quickest if moved here, and with
+///   ascending first corners
 /// @param threads  at most so many, with the same result for any number
-FilterResult umbrella_filter(std::size_t n_vertices,
-                             const RankedTriangles& triangles,
+FilterResult umbrella_filter(std::size_t n_vertices, RankedTriangles triangles,
                              unsigned threads = 1);
 
 }  // namespace umbrella

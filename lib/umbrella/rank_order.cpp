@@ -21,23 +21,18 @@ int RankOrder::compare_ranks(const RankedTriangle& a,
   return a.rank < b.rank ? -1 : b.rank < a.rank ? 1 : 0;
 }
 
-void RankOrder::sort(std::span<const RankedTriangle> triangles,
-                     std::span<TriangleIndex> some) const {
-  struct Item {
-    TriangleIndex triangle;
-    ExactRank exact;  // what is found out about it stays with it
-  };
-  std::vector<Item> items;
-  for (const TriangleIndex t : some)
-    items.push_back({t, exact_ ? exact_(triangles[t].facet) : ExactRank{}});
-  std::sort(items.begin(), items.end(), [&](const Item& x, const Item& y) {
-    const RankedTriangle &a = triangles[x.triangle], &b = triangles[y.triangle];
+RankOrder::Keyed RankOrder::with_key(const RankedTriangle& triangle,
+                                     std::uint32_t item) const {
+  return {&triangle, exact_ ? exact_(triangle.facet) : ExactRank{}, item};
+}
+
+void RankOrder::sort(std::vector<Keyed>& keyed) const {
+  std::sort(keyed.begin(), keyed.end(), [&](const Keyed& x, const Keyed& y) {
+    const RankedTriangle &a = *x.triangle, &b = *y.triangle;
     const int order =
         is_near_tie(a, b) ? compare(x.exact, y.exact) : compare_ranks(a, b);
     return order != 0 ? order < 0 : a.corners < b.corners;
   });
-  std::transform(items.begin(), items.end(), some.begin(),
-                 [](const Item& item) { return item.triangle; });
 }
 
 }  // namespace umbrella

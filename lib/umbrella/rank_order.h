@@ -2,7 +2,9 @@
 /// The exact order of triangles whose ranks are rounded.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <utility>
@@ -47,11 +49,29 @@ class RankOrder {
     return order != 0 ? order < 0 : a.corners < b.corners;
   }
 
-  /// Puts some of the triangles in this order, however near their ranks are.
-  void sort(std::span<const RankedTriangle> triangles,
-            std::span<TriangleIndex> some) const;
+  /// Puts items in the order of their triangles, each of which is asked once
+  /// for its exact rank.
+  ///
+  /// @param triangle_of  the triangle of an item
+  template <class TriangleOf>
+  void sort(std::span<std::uint32_t> items, TriangleOf triangle_of) const {
+    std::vector<Keyed> keyed;
+    for (const std::uint32_t item : items)
+      keyed.push_back(with_key(triangle_of(item), item));
+    sort(keyed);
+    std::transform(keyed.begin(), keyed.end(), items.begin(),
+                   [](const Keyed& k) { return k.item; });
+  }
 
  private:
+  struct Keyed {
+    const RankedTriangle* triangle;
+    ExactRank exact;  // what is found out about it stays with it
+    std::uint32_t item;
+  };
+
+  Keyed with_key(const RankedTriangle& triangle, std::uint32_t item) const;
+  void sort(std::vector<Keyed>& keyed) const;
   static bool is_near(double x, double y);
   static bool is_near_tie(const Rank& a, const Rank& b);
 
@@ -74,6 +94,8 @@ class RankedTriangles {
   std::size_t size() const { return triangles_.size(); }
   bool empty() const { return triangles_.empty(); }
   const RankedTriangle* data() const { return triangles_.data(); }
+  /// Without their order.
+  std::vector<RankedTriangle> list() && { return std::move(triangles_); }
   auto begin() const { return triangles_.begin(); }
   auto end() const { return triangles_.end(); }
 

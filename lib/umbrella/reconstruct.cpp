@@ -86,19 +86,24 @@ class Pipeline {
     return value;
   }
 
-  std::vector<LocatedTriangle> triangles_of(const Triangulation3& triangulation,
-                                            const Circumspheres& spheres,
-                                            const FilterResult& filtered);
+  /// The triangles to return, and some that have been measured, these by
+  /// ascending corners.
+  struct Chosen {
+    std::vector<LocatedTriangle> triangles;
+    std::vector<RankedTriangle> measured;
+  };
+
+  Chosen chosen_of(const Triangulation3& triangulation,
+                   const Circumspheres& spheres, FilterResult filtered);
   FilterResult filtered(const Triangulation3& triangulation,
                         const Circumspheres& spheres);
-  CleanUpResult cleaned(std::size_t n_vertices, const FilterResult& filtered);
+  CleanUpResult cleaned(std::size_t n_vertices, FilterResult filtered);
   CleanUpResult cleaned_faces(const Triangulation3& triangulation,
                               const Circumspheres& spheres,
                               const FilterResult& filtered);
   std::vector<Hole> holes(std::size_t n_vertices, const CleanUpResult& clean);
   void finish(const Triangulation3& triangulation, const Circumspheres& spheres,
-              std::span<const LocatedTriangle> triangles,
-              std::span<const RankedTriangle> ranked);
+              const Chosen& chosen);
 
   void list_dropped(std::span<const std::uint32_t> row);
 
@@ -125,24 +130,26 @@ Reconstruction Pipeline::run(std::span<const Point3> points) {
   // Four facets a cell, each seen from two cells or from outside the hull.
   counts.delaunay_triangles = (4 * counts.delaunay_cells + n_outside) / 2;
   if (result_.dimension < 3) return std::move(result_);
-  const FilterResult filtered = this->filtered(triangulation, spheres);
-  finish(triangulation, spheres, triangles_of(triangulation, spheres, filtered),
-         filtered.triangles);
+  finish(triangulation, spheres,
+         chosen_of(triangulation, spheres, filtered(triangulation, spheres)));
   return std::move(result_);
 }
 
-std::vector<LocatedTriangle> Pipeline::triangles_of(
-    const Triangulation3& triangulation, const Circumspheres& spheres,
-    const FilterResult& filtered) {
+Pipeline::Chosen Pipeline::chosen_of(const Triangulation3& triangulation,
+                                     const Circumspheres& spheres,
+                                     FilterResult filtered) {
   const std::size_t n = triangulation.points().size();
   result_.counts.filter_triangles = filtered.triangles.size();
   result_.counts.filter_without_umbrella = filtered.without_umbrella.size();
-  if (options_.stage == Stage::Filter) return without_ranks(filtered.triangles);
+  if (options_.stage == Stage::Filter)
+    return {without_ranks(filtered.triangles),
+            std::move(filtered.triangles).list()};
 
-  const CleanUpResult clean =
-      options_.faces ? cleaned_faces(triangulation, spheres, filtered)
-                     : cleaned(n, filtered);
-  if (options_.stage == Stage::Clean) return without_ranks(clean.triangles);
+  CleanUpResult clean = options_.faces
+                            ? cleaned_faces(triangulation, spheres, filtered)
+                            : cleaned(n, std::move(filtered));
+  if (options_.stage == Stage::Clean)
+    return {without_ranks(clean.triangles), std::move(clean.triangles)};
 
   const std::vector<Hole> open = holes(n, clean);
   ClosingOptions closing = options_.closing;
@@ -153,7 +160,7 @@ std::vector<LocatedTriangle> Pipeline::triangles_of(
   result_.closing = closed.report;
   dropped_ = std::move(closed.dropped);
   reasons_ = std::move(closed.reasons);
-  return std::move(closed.triangles);
+  return {std::move(closed.triangles), std::move(clean.triangles)};
 }
 
 FilterResult Pipeline::filtered(const Triangulation3& triangulation,
@@ -166,23 +173,22 @@ FilterResult Pipeline::filtered(const Triangulation3& triangulation,
     return result;
   }
   double seconds = 0;
-  const auto ranked = timed("lambda", seconds, [&] {
+  auto ranked = timed("lambda", seconds, [&] {
     return ranked_by(options_.criterion, triangulation, spheres,
                      options_.threads);
   });
   result_.seconds.lambda += seconds;
   result_.counts.admissible_triangles = ranked.size();
   return timed("filter", result_.seconds.filter, [&] {
-    return umbrella_filter(triangulation.points(), ranked, options_.umbrella,
-                           options_.threads);
+    return umbrella_filter(triangulation.points(), std::move(ranked),
+                           options_.umbrella, options_.threads);
   });
 }
 
-CleanUpResult Pipeline::cleaned(std::size_t n_vertices,
-                                const FilterResult& filtered) {
+CleanUpResult Pipeline::cleaned(std::size_t n_vertices, FilterResult filtered) {
   CleanUpResult clean = timed("clean_up", result_.seconds.clean_up, [&] {
-    return clean_up(n_vertices, filtered.triangles, options_.clean_up,
-                    filtered.unsettled);
+    return clean_up(n_vertices, std::move(filtered.triangles),
+                    options_.clean_up, filtered.unsettled);
   });
   ReconstructCounts& counts = result_.counts;
   counts.deleted_type2 = clean.n_type2;
@@ -202,7 +208,8 @@ CleanUpResult Pipeline::cleaned_faces(const Triangulation3& triangulation,
   result_.faces = given.counts;
   FilterResult instead;
   instead.triangles = std::move(given.triangles);
-  CleanUpResult clean = cleaned(triangulation.points().size(), instead);
+  CleanUpResult clean =
+      cleaned(triangulation.points().size(), std::move(instead));
   const auto before = [](const RankedTriangle& a, const RankedTriangle& b) {
     return a.corners < b.corners;
   };
@@ -229,12 +236,11 @@ std::vector<Hole> Pipeline::holes(std::size_t n_vertices,
 }
 
 void Pipeline::finish(const Triangulation3& triangulation,
-                      const Circumspheres& spheres,
-                      std::span<const LocatedTriangle> triangles,
-                      std::span<const RankedTriangle> ranked) {
+                      const Circumspheres& spheres, const Chosen& chosen) {
   result_.triangles = timed("surface", result_.seconds.surface, [&] {
-    result_.lambda = lower_lambdas(triangulation, spheres, triangles, ranked);
-    return orient(triangulation.points(), triangles).triangles;
+    result_.lambda = lower_lambdas(triangulation, spheres, chosen.triangles,
+                                   chosen.measured);
+    return orient(triangulation.points(), chosen.triangles).triangles;
   });
   result_.surface = timed("certificate", result_.seconds.certificate, [&] {
     return check_surface(triangulation.points(), result_.triangles);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "umbrella/circumradius_internal.h"
 #include "umbrella/closed_sweep_internal.h"
@@ -97,7 +98,10 @@ OrientedTriangle directed(const Triangle& t, bool is_turned) {
   const auto a = static_cast<std::uint32_t>(t[0]);
   const auto b = static_cast<std::uint32_t>(t[1]);
   const auto c = static_cast<std::uint32_t>(t[2]);
-  return {a, is_turned ? c : b, is_turned ? b : c};
+  // Masked, not jumped to: whether it is turned, no processor can guess.
+  const std::uint32_t change =
+      (b ^ c) & (0U - static_cast<std::uint32_t>(is_turned));
+  return {a, b ^ change, c ^ change};
 }
 
 /// A walk from triangle to triangle, of any set of them.
@@ -172,41 +176,49 @@ class Orientation {
   std::vector<TriangleIndex> component_;
 };
 
-/// Of the i-th component: whether its volume is negative.
-std::vector<bool> inside_out(std::span<const Point3> points,
-                             std::span<const LocatedTriangle> triangles,
-                             const TurnedTriangles& turned) {
-  struct Component {
-    const Point3* origin = nullptr;
-    double volume = 0;
+/// Six times the part of a triangle in the volume below a closed surface: what
+/// lies between it and the plane x = 0 of the origin.
+double part_of_volume(std::span<const Point3> points, const OrientedTriangle& t,
+                      const Point3& origin, double scale) {
+  const Point3& a = points[t[0]];
+  const Point3& b = points[t[1]];
+  const Point3& c = points[t[2]];
+  const auto from = [scale](const Point3& p, const Point3& q, int i) {
+    return scale * q[i] - scale * p[i];
   };
-  const double scale = power_of_two_scale(points);
-  std::vector<Component> components(turned.n_components());
-  for (TriangleIndex t = 0; t < triangles.size(); ++t) {
-    auto& [origin, volume] = components[turned.component(t)];
-    const Triangle& corners = triangles[t].corners;
-    if (origin == nullptr) origin = &points[index(corners[0])];
-    const double part = signed_volume(points, corners, *origin, scale);
-    volume += turned.is_turned(t) ? -part : part;
-  }
-  std::vector<bool> result(components.size());
-  std::transform(components.begin(), components.end(), result.begin(),
-                 [](const Component& c) { return c.volume < 0; });
-  return result;
+  const double area =
+      from(a, b, 1) * from(a, c, 2) - from(a, b, 2) * from(a, c, 1);
+  return area * (from(origin, a, 0) + from(origin, b, 0) + from(origin, c, 0));
 }
+
+/// Of a component.
+struct Volume {
+  const Point3* origin = nullptr;  // its own, so that little cancels
+  double six_times = 0;
+};
 
 OrientedSurface turned_outward(std::span<const Point3> points,
                                std::span<const LocatedTriangle> triangles,
                                const TurnedTriangles& turned) {
-  const std::vector<bool> is_inside_out = inside_out(points, triangles, turned);
   OrientedSurface result;
   result.is_closed = !triangles.empty();
   result.n_components = turned.n_components();
   result.triangles.reserve(triangles.size());
-  for (TriangleIndex t = 0; t < triangles.size(); ++t)
+  const double scale = power_of_two_scale(points);
+  std::vector<Volume> volumes(turned.n_components());
+  for (TriangleIndex t = 0; t < triangles.size(); ++t) {
+    auto& [origin, six_times] = volumes[turned.component(t)];
+    if (origin == nullptr) origin = &points[index(triangles[t].corners[0])];
     result.triangles.push_back(
-        directed(triangles[t].corners,
-                 turned.is_turned(t) != is_inside_out[turned.component(t)]));
+        directed(triangles[t].corners, turned.is_turned(t)));
+    six_times += part_of_volume(points, result.triangles[t], *origin, scale);
+  }
+  const auto is_inside_out = [](const Volume& v) { return v.six_times < 0; };
+  if (std::none_of(volumes.begin(), volumes.end(), is_inside_out))
+    return result;
+  for (TriangleIndex t = 0; t < triangles.size(); ++t)
+    if (is_inside_out(volumes[turned.component(t)]))
+      std::swap(result.triangles[t][1], result.triangles[t][2]);
   return result;
 }
 

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <numeric>
 #include <queue>
 #include <stdexcept>
 #include <string>
@@ -39,26 +40,25 @@ using Arc = std::uint32_t;
 
 class CycleFinder {
  public:
-  CycleFinder(std::span<const Point3> points, const RankedTriangles& triangles,
-              UmbrellaChoice choice)
+  CycleFinder(std::span<const Point3> points,
+              std::span<const RankedTriangle> triangles, UmbrellaChoice choice)
       : points_(points),
         triangles_(triangles),
         choice_(choice),
         is_on_path_(points.size()),
         leaving_(points.size()) {}
 
-  /// @param at_v  the triangles at v
-  /// @return the umbrella chosen, empty if there is none
-  std::vector<TriangleIndex> pick(VertexId v,
-                                  std::span<const TriangleIndex> at_v) {
-    build(v, at_v);
+  /// @return the umbrella chosen, as positions in the star; empty if there is
+  ///   none
+  std::vector<std::uint32_t> pick(const Star& star) {
+    build(star);
     best_.clear();
     best_cost_ = kInfinity;
     n_steps_ = 0;
     for (Arc e = 0; e < edges_.size(); ++e) search_from(2 * e);
     clear();
-    std::vector<TriangleIndex> umbrella;
-    for (const Arc arc : best_) umbrella.push_back(at_v[arc / 2]);
+    std::vector<std::uint32_t> umbrella;
+    for (const Arc arc : best_) umbrella.push_back(order_[arc / 2]);
     return umbrella;
   }
 
@@ -66,14 +66,19 @@ class CycleFinder {
   VertexId tail(Arc a) const { return edges_[a / 2][a % 2]; }
   VertexId head(Arc a) const { return edges_[a / 2][1 - a % 2]; }
 
-  void build(VertexId v, std::span<const TriangleIndex> at_v) {
-    at_ = v;
+  /// Edges in the order of the triangles.
+  void build(const Star& star) {
+    at_ = star.vertex;
+    order_.resize(star.triangles.size());
+    std::iota(order_.begin(), order_.end(), 0U);
+    std::ranges::sort(
+        order_, {}, [&](std::uint32_t i) { return star.triangles[i].corner; });
     edges_.clear();
     weights_.clear();
-    for (const TriangleIndex t : at_v) {
+    for (const std::uint32_t i : order_) {
       const auto arc = static_cast<Arc>(2 * edges_.size());
-      edges_.push_back(opposite_edge(triangles_[t].corners, v));
-      weights_.push_back(triangles_[t].rank.primary);
+      edges_.push_back(star.triangles[i].edge);
+      weights_.push_back(triangles_[star.triangles[i].triangle()].rank.primary);
       leaving_[index(tail(arc))].push_back(arc);
       leaving_[index(head(arc))].push_back(arc + 1);
     }
@@ -173,10 +178,11 @@ class CycleFinder {
   }
 
   std::span<const Point3> points_;
-  const RankedTriangles& triangles_;
+  std::span<const RankedTriangle> triangles_;
   UmbrellaChoice choice_;
 
   VertexId at_{};
+  std::vector<std::uint32_t> order_;  // positions in the star, of edges
   std::vector<LinkEdge> edges_;
   std::vector<double> weights_;            // of edges
   std::vector<bool> is_on_path_;           // by vertex
@@ -201,13 +207,14 @@ UmbrellaChoice umbrella_choice(std::string_view name) {
 }
 
 FilterResult umbrella_filter(std::span<const Point3> points,
-                             const RankedTriangles& triangles,
-                             UmbrellaChoice choice, unsigned threads) {
+                             RankedTriangles triangles, UmbrellaChoice choice,
+                             unsigned threads) {
   if (choice == UmbrellaChoice::First)
-    return umbrella_filter(points.size(), triangles, threads);
-  return filter_by_vertex(points.size(), triangles, threads, [&] {
-    return CycleFinder(points, triangles, choice);
-  });
+    return umbrella_filter(points.size(), std::move(triangles), threads);
+  return filter_by_vertex(points.size(), std::move(triangles), threads,
+                          [&](const RankedTriangles& all) {
+                            return CycleFinder(points, all, choice);
+                          });
 }
 
 }  // namespace umbrella

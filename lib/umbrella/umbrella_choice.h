@@ -4,6 +4,7 @@
 
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "umbrella/filter.h"
 #include "umbrella/triangle.h"
@@ -33,7 +34,7 @@ UmbrellaChoice umbrella_choice(std::string_view name);
 /// @param points  corners are positions in it
 /// @param triangles  distinct; primary ranks not negative
 FilterResult umbrella_filter(std::span<const Point3> points,
-                             const RankedTriangles& triangles,
-                             UmbrellaChoice choice, unsigned threads = 1);
+                             RankedTriangles triangles, UmbrellaChoice choice,
+                             unsigned threads = 1);
 
 }  // namespace umbrella

@@ -1,4 +1,5 @@
-#include <bit>
+#include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "umbrella/vertex_filter_internal.h"
@@ -6,34 +7,49 @@
 namespace umbrella {
 
 void Choices::append(const Choices& next) {
-  for (std::size_t i = 0; i < words_.size(); ++i) words_[i] |= next.words_[i];
-  size_.insert(size_.end(), next.size_.begin(), next.size_.end());
+  for (std::size_t i = 0; i < is_chosen_.size(); ++i)
+    is_chosen_[i] |= next.is_chosen_[i];
   without_umbrella_.insert(without_umbrella_.end(),
                            next.without_umbrella_.begin(),
                            next.without_umbrella_.end());
 }
 
-FilterResult Choices::among(const RankedTriangles& triangles) && {
+// In place: a new array of that size would cost as much as the choice.
+FilterResult Choices::among(RankedTriangles all) && {
   FilterResult result;
-  result.without_umbrella = std::move(without_umbrella_);
-  std::size_t n = 0;
-  for (const std::uint64_t word : words_)
-    n += static_cast<std::size_t>(std::popcount(word));
-  std::vector<RankedTriangle> chosen;
-  chosen.reserve(n);
-  std::vector<std::uint32_t> degree(size_.size());
-  for (TriangleIndex t = 0; t < triangles.size(); ++t) {
-    if (!holds(t)) continue;
-    chosen.push_back(triangles[t]);
-    for (const VertexId v : triangles[t].corners) ++degree[index(v)];
-  }
-  result.triangles = RankedTriangles(std::move(chosen), triangles.order());
-  // An umbrella's triangles are all here: as many are no others.
+  const RankOrder order = all.order();
+  std::vector<RankedTriangle> triangles = std::move(all).list();
   std::vector<VertexId>& unsettled = result.unsettled.emplace();
-  for (std::uint32_t v = 0; v < size_.size(); ++v)
-    if (size_[v] == 0 || degree[v] != size_[v])
-      unsettled.push_back(VertexId{v});
+  auto kept = triangles.begin();
+  const std::uint8_t* by = is_chosen_.data();
+  for (const RankedTriangle& t : triangles) {
+    const int n_choose = by[0] + by[1] + by[2];
+    // Copied always, kept or not: which it is, no processor can guess.
+    *kept = t;
+    kept += n_choose > 0 ? 1 : 0;
+    if (n_choose % 3 != 0)
+      for (unsigned i = 0; i < 3; ++i)
+        if (by[i] == 0) unsettled.push_back(t.corners[i]);
+    by += 3;
+  }
+  triangles.erase(kept, triangles.end());
+  unsettled.insert(unsettled.end(), without_umbrella_.begin(),
+                   without_umbrella_.end());
+  std::ranges::sort(unsettled);
+  unsettled.erase(std::ranges::unique(unsettled).begin(), unsettled.end());
+  result.triangles = RankedTriangles(std::move(triangles), order);
+  result.without_umbrella = std::move(without_umbrella_);
   return result;
+}
+
+std::vector<TriangleIndex> by_first_corners(
+    std::span<const RankedTriangle> triangles) {
+  std::vector<TriangleIndex> order(triangles.size());
+  std::iota(order.begin(), order.end(), TriangleIndex{0});
+  std::ranges::sort(order, {}, [&](TriangleIndex t) {
+    return std::pair(triangles[t].corners[0], t);
+  });
+  return order;
 }
 
 }  // namespace umbrella
