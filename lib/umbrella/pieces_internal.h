@@ -44,6 +44,10 @@ class PieceFinder {
   std::vector<Piece> find(const Change& change,
                           const std::vector<bool>& is_open);
 
+  /// By how many pieces the changed surface would have more than the surface
+  /// as it is.
+  std::ptrdiff_t n_pieces_added(const Change& change);
+
   /// Whether the surface as it is has one piece and goes through all vertices.
   /// May be false as well where it takes a look at all of it to tell.
   ///
@@ -54,6 +58,8 @@ class PieceFinder {
  private:
   static constexpr std::uint32_t kNotReached = 0;
   static constexpr std::uint32_t kLarge = 1;  // pieces are counted from here
+
+  class Walks;
 
   struct Corner {
     VertexId vertex;
@@ -67,6 +73,12 @@ class PieceFinder {
     std::size_t n_triangles = 0;    // at least as many as these have
   };
 
+  void mark(const Change& change);
+  void unmark(const Change& change);
+  std::size_t n_pieces_at(std::span<const VertexId> vertices,
+                          const Change& change);
+  std::size_t walk(std::span<const VertexId> starts, const Change& change,
+                   std::size_t most, Walks& walks);
   void find_large_patches(const std::vector<bool>& is_open);
   void drop_torn_patches();
   void doubt_patches(const Change& change);

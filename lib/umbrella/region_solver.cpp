@@ -80,10 +80,10 @@ Attempt RegionSolver::attempt(const Region& region, Effort& effort,
   Work work(std::move(candidates), std::move(program));
   work.allowed = how.allowed;
   work.effort = {effort.conflicts / 2, effort.propagations / 2};
-  order_worst_first(work);
-  if (!solve_in_order(work)) {
+  if (!how.is_likely || !solve_in_order(work)) {
     conflicts_ += work.solver.statistics().conflicts;
     add_sides(work);
+    if (work.worst_first.empty() && !is_refuted(work)) order_worst_first(work);
     if (settle_dropped(work, how)) search(work);
   }
   const ilp::Statistics used = work.solver.statistics();
@@ -104,6 +104,8 @@ bool RegionSolver::solve_in_order(Work& work) {
   if (options_.mode == CloseMode::Paper || !work.program.droppable().empty())
     return false;
   make_solver(work);
+  if (is_refuted(work)) return false;
+  order_worst_first(work);
   work.solver.set_priority(work.worst_first);
   work.solver.set_branching(ilp::Branching::Static);
   do {
@@ -124,10 +126,15 @@ bool RegionSolver::solve_in_order(Work& work) {
   return true;
 }
 
+/// Before any decision.
+bool RegionSolver::is_refuted(Work& work) const {
+  return work.solver.solve({}, {.propagations = 0}) == ilp::Status::Infeasible;
+}
+
 bool RegionSolver::closes_fragment(const Attempt& solved) {
   if (options_.mode == CloseMode::Paper) return false;
-  const std::vector<Piece> pieces = piece_finder_.find(
-      {solved.freed, solved.chosen, solved.vertices}, is_open_);
+  const std::vector<Piece> pieces =
+      piece_finder_.find(change_of(solved), is_open_);
   return std::any_of(pieces.begin(), pieces.end(),
                      [this](const Piece& piece) { return is_fragment(piece); });
 }
@@ -286,8 +293,7 @@ bool RegionSolver::read_model(Work& work) {
   if (options_.mode == CloseMode::Paper) return true;
 
   bool is_good = true;
-  for (const Piece& piece : piece_finder_.find(
-           {result.freed, result.chosen, result.vertices}, is_open_)) {
+  for (const Piece& piece : piece_finder_.find(change_of(result), is_open_)) {
     if (is_among(piece, work.allowed) || !is_fragment(piece)) continue;
     is_good = false;
     cut(work, piece);

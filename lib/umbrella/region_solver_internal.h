@@ -63,6 +63,9 @@ struct AttemptOptions {
   std::span<const Piece> allowed = {};
   /// At least so many triangles fewer than there are.
   std::size_t fewer_triangles = 0;
+  /// Whether there is a solution most often. If not, the sides are worth their
+  /// price at once: without a solution they mostly show that without a search.
+  bool is_likely = true;
 };
 
 class RegionSolver {
@@ -81,6 +84,11 @@ class RegionSolver {
   /// Whether it would close a small piece, on the surface as it is now. May say
   /// so of a solved attempt once other regions are done with.
   bool closes_fragment(const Attempt& solved);
+
+  /// PieceFinder::n_pieces_added, by a solved attempt.
+  std::ptrdiff_t n_pieces_added(const Attempt& solved) {
+    return piece_finder_.n_pieces_added(change_of(solved));
+  }
 
   /// PieceFinder::is_one_piece.
   bool is_one_piece() { return piece_finder_.is_one_piece(); }
@@ -105,7 +113,11 @@ class RegionSolver {
   /// @pre the cells of the candidates are the last ones collected
   void add_sides(Work& work) const;
   void make_solver(Work& work) const;
+  static Change change_of(const Attempt& attempt) {
+    return {attempt.freed, attempt.chosen, attempt.vertices};
+  }
   bool solve_in_order(Work& work);
+  bool is_refuted(Work& work) const;
   void order_worst_first(Work& work) const;
   bool settle_dropped(Work& work, const AttemptOptions& how);
   bool release_stuck(Work& work, std::vector<ilp::Literal>& kept);
