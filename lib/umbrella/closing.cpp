@@ -132,7 +132,8 @@ void Closing::solve_as_given(std::vector<Region> regions) {
     Attempt& attempt = first[i];
     report.candidate_triangles += attempt.n_candidates;
     report.variables += attempt.n_variables;
-    if (attempt.outcome == Outcome::Solved && solver_.closes_fragment(attempt))
+    if (attempt.outcome == Outcome::Solved && attempt.has_waited &&
+        solver_.closes_fragment(attempt))
       attempt = solver_.attempt(regions[i], efforts[i]);
     if (attempt.outcome == Outcome::Solved) {
       accept(attempt);

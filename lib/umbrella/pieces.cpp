@@ -50,6 +50,7 @@ std::vector<Piece> PieceFinder::find(const Change& change,
   doubt_patches(change);
   std::vector<Piece> pieces;
   n_pieces_ = kLarge;
+  has_waited_ = false;
   for (const LocatedTriangle& t : change.chosen) {
     const VertexId start = t.corners[0];
     if (piece_of_[index(start)] != kNotReached) continue;
@@ -58,7 +59,7 @@ std::vector<Piece> PieceFinder::find(const Change& change,
   }
   forget_reached();
   unmark(change);
-  for (const VertexId v : doubted_) is_in_patch_[index(v)] = true;
+  for (const VertexId v : doubted_) is_in_patch_[index(v)] = 1;
   doubted_.clear();
   uses_patches_ = true;
   return pieces;
@@ -138,11 +139,12 @@ void PieceFinder::forget_reached() {
 void PieceFinder::find_large_patches(const std::vector<bool>& is_open) {
   const std::size_t n = surface_.n_vertices();
   DisjointSets sets(n);
+  const std::vector<std::uint8_t> waits(is_open.begin(), is_open.end());
   std::vector<std::uint32_t> n_triangles(n);  // at the corner, then in the set
   for (TriangleIndex t = 0; t < surface_.n_indices(); ++t) {
     const auto& [a, b, c] = surface_.corners(t);
-    if (!surface_.contains(t) || is_open[index(a)] || is_open[index(b)] ||
-        is_open[index(c)])
+    if (!surface_.contains(t) ||
+        (waits[index(a)] | waits[index(b)] | waits[index(c)]) != 0)
       continue;
     sets.unite(index(a), index(b));
     sets.unite(index(a), index(c));
@@ -153,8 +155,8 @@ void PieceFinder::find_large_patches(const std::vector<bool>& is_open) {
   n_spare_ = surface_.n_indices();
   for (std::size_t v = 0; v < n; ++v) {
     const std::uint32_t root = sets.root(v);
-    is_in_patch_[v] = n_triangles[root] > limit_;
-    if (root != v || !is_in_patch_[v]) continue;
+    is_in_patch_[v] = n_triangles[root] > limit_ ? 1 : 0;
+    if (root != v || n_triangles[v] <= limit_) continue;
     ++n_patches_;
     n_spare_ = std::min(n_spare_, n_triangles[v] - limit_);
   }
@@ -163,7 +165,7 @@ void PieceFinder::find_large_patches(const std::vector<bool>& is_open) {
 /// If the change that may have torn one was made.
 void PieceFinder::drop_torn_patches() {
   if (doubtful_ && !surface_.contains(*doubtful_)) {
-    is_in_patch_.assign(surface_.n_vertices(), false);
+    is_in_patch_.assign(surface_.n_vertices(), 0);
     n_patches_ = 0;
   }
 }
@@ -176,7 +178,7 @@ void PieceFinder::doubt_patches(const Change& change) {
   doubtful_.reset();
   const bool touches_patch =
       std::any_of(freed.begin(), freed.end(), [this](TriangleIndex t) {
-        return is_in_patch_[index(surface_.corners(t)[0])];
+        return is_in_patch_[index(surface_.corners(t)[0])] != 0;
       });
   if (!touches_patch) return;
   is_patch_touched_ = true;
@@ -184,8 +186,8 @@ void PieceFinder::doubt_patches(const Change& change) {
   const std::size_t n_lost = freed.size() + tear.n_triangles;
   uses_patches_ = tear.is_certain && n_lost < n_spare_;
   for (const VertexId v : tear.cut_off)
-    if (is_in_patch_[index(v)]) {
-      is_in_patch_[index(v)] = false;
+    if (is_in_patch_[index(v)] != 0) {
+      is_in_patch_[index(v)] = 0;
       doubted_.push_back(v);
     }
   if (uses_patches_) n_spare_ -= freed.size();
@@ -217,7 +219,7 @@ bool PieceFinder::is_one_piece() {
   const std::size_t n = surface_.n_vertices();
   DisjointSets sets(n + 1);  // the last one: vertices of the patch
   const auto place = [&](VertexId v) {
-    return is_in_patch_[index(v)] ? n : index(v);
+    return is_in_patch_[index(v)] != 0 ? n : index(v);
   };
   const auto join = [&](TriangleIndex t) {
     const auto& [a, b, c] = surface_.corners(t);
@@ -225,11 +227,12 @@ bool PieceFinder::is_one_piece() {
     sets.unite(place(a), place(c));
   };
   for (std::uint32_t v = 0; v < n; ++v)
-    if (!is_in_patch_[v]) surface_.for_each_at(VertexId{v}, join);
+    if (is_in_patch_[v] == 0) surface_.for_each_at(VertexId{v}, join);
   const std::uint32_t root = sets.root(n);
   for (std::uint32_t v = 0; v < n; ++v)
-    if (is_in_patch_[v] ? is_patch_touched_ && !surface_.is_used(VertexId{v})
-                        : sets.root(v) != root)
+    if (is_in_patch_[v] != 0
+            ? is_patch_touched_ && !surface_.is_used(VertexId{v})
+            : sets.root(v) != root)
       return false;
   return true;
 }
@@ -270,7 +273,8 @@ bool PieceFinder::explore(VertexId start, const Change& change,
         is_open[index(v)] &&
         !std::binary_search(change.vertices.begin(), change.vertices.end(), v);
     is_large = is_large || known == kLarge || waits ||
-               (uses_patches_ && is_in_patch_[index(v)]);
+               (uses_patches_ && is_in_patch_[index(v)] != 0);
+    has_waited_ = has_waited_ || waits;
     if (known != kNotReached) return;
     known = name;
     reached_.push_back(v);

@@ -44,6 +44,11 @@ class PieceFinder {
   std::vector<Piece> find(const Change& change,
                           const std::vector<bool>& is_open);
 
+  /// Whether some piece of the last call of find() was left out because of an
+  /// open vertex. If not, the same call finds the same, whatever becomes of the
+  /// open vertices.
+  bool has_waited() const { return has_waited_; }
+
   /// By how many pieces the changed surface would have more than the surface
   /// as it is.
   std::ptrdiff_t n_pieces_added(const Change& change);
@@ -99,7 +104,7 @@ class PieceFinder {
   /// Vertices of triangles that hung together in the first call, without an
   /// open corner, and were more than the limit: wherever a walk meets one, its
   /// piece is large.
-  std::vector<bool> is_in_patch_;
+  std::vector<std::uint8_t> is_in_patch_;
   std::size_t n_patches_ = 0;
   std::size_t n_spare_ = 0;   // triangles of the least patch above the limit
   bool uses_patches_ = true;  // in the call at hand
@@ -107,6 +112,7 @@ class PieceFinder {
   std::vector<VertexId> doubted_;  // taken out of patches for the call at hand
   std::optional<TriangleIndex> doubtful_;  // goes if a patch is perhaps torn
   std::uint32_t n_pieces_ = 0;
+  bool has_waited_ = false;
 };
 
 }  // namespace umbrella

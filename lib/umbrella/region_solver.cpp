@@ -64,6 +64,7 @@ RegionSolver::RegionSolver(const delaunay::Triangulation3& triangulation,
       neighborhoods_(triangulation, surface),
       badness_(triangulation, options.weight),
       groups_(groups),
+      numbers_(surface.n_vertices()),
       small_piece_(std::max(options.piece_triangles,
                             part_of(options.piece_part, surface.n_vertices()))),
       piece_finder_(surface,
@@ -74,8 +75,9 @@ RegionSolver::RegionSolver(const delaunay::Triangulation3& triangulation,
 Attempt RegionSolver::attempt(const Region& region, Effort& effort,
                               const AttemptOptions& how) {
   std::vector<LocatedTriangle> candidates = neighborhoods_.candidates(region);
-  ClosingProgram program(surface_, candidates, vertices_of(region, candidates),
-                         how.may_drop);
+  ClosingProgram program(
+      surface_, {candidates, vertices_of(region, candidates), how.may_drop},
+      numbers_);
   if (how.fewer_triangles > 0) program.demand_fewer(how.fewer_triangles);
   Work work(std::move(candidates), std::move(program));
   work.allowed = how.allowed;
@@ -298,6 +300,7 @@ bool RegionSolver::read_model(Work& work) {
     is_good = false;
     cut(work, piece);
   }
+  result.has_waited = piece_finder_.has_waited();
   return is_good;
 }
 

@@ -39,6 +39,7 @@ struct Attempt {
   std::vector<VertexId> dropped;     ///< left without triangles
   std::vector<VertexId> stuck;       ///< of the contradiction, if there is one
   std::vector<Piece> pieces;         ///< those that were cut off
+  bool has_waited = false;           ///< PieceFinder::has_waited, if solved
 };
 
 /// What is left of what the programs of one region may take.
@@ -82,7 +83,7 @@ class RegionSolver {
                   const AttemptOptions& how = {});
 
   /// Whether it would close a small piece, on the surface as it is now. May say
-  /// so of a solved attempt once other regions are done with.
+  /// so of a solved attempt that has waited, once other regions are done with.
   bool closes_fragment(const Attempt& solved);
 
   /// PieceFinder::n_pieces_added, by a solved attempt.
@@ -138,6 +139,7 @@ class RegionSolver {
   Neighborhoods neighborhoods_;
   Badness badness_;
   PointGroups& groups_;
+  VertexNumbers numbers_;  // scratch
   std::size_t small_piece_;
   PieceFinder piece_finder_;
   std::uint64_t conflicts_ = 0;
