@@ -37,13 +37,16 @@ std::vector<VertexId> united(std::span<const VertexId> a,
 
 std::vector<VertexId> vertices_of(const Region& region,
                                   std::span<const LocatedTriangle> candidates) {
-  std::vector<VertexId> result = region.vertices;
-  if (region.stuck.empty()) return result;
+  if (region.stuck.empty()) return region.vertices;
+  std::vector<VertexId> others;
   for (const LocatedTriangle& c : candidates)
-    result.insert(result.end(), c.corners.begin(), c.corners.end());
-  std::sort(result.begin(), result.end());
-  result.erase(std::unique(result.begin(), result.end()), result.end());
-  return result;
+    for (const VertexId v : c.corners)
+      if (!std::binary_search(region.vertices.begin(), region.vertices.end(),
+                              v))
+        others.push_back(v);
+  std::sort(others.begin(), others.end());
+  others.erase(std::unique(others.begin(), others.end()), others.end());
+  return united(region.vertices, others);
 }
 
 std::vector<Region> merge_holes(std::span<const Hole> holes,

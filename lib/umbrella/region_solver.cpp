@@ -72,9 +72,9 @@ RegionSolver::RegionSolver(const delaunay::Triangulation3& triangulation,
                                                    surface.n_vertices()))),
       start_(std::chrono::steady_clock::now()) {}
 
-Attempt RegionSolver::attempt(const Region& region, Effort& effort,
+Attempt RegionSolver::attempt(Proposal proposal, Effort& effort,
                               const AttemptOptions& how) {
-  std::vector<LocatedTriangle> candidates = neighborhoods_.candidates(region);
+  auto& [region, candidates] = proposal;
   ClosingProgram program(
       surface_, {candidates, vertices_of(region, candidates), how.may_drop},
       numbers_);
@@ -139,10 +139,6 @@ bool RegionSolver::closes_fragment(const Attempt& solved) {
       piece_finder_.find(change_of(solved), is_open_);
   return std::any_of(pieces.begin(), pieces.end(),
                      [this](const Piece& piece) { return is_fragment(piece); });
-}
-
-std::vector<VertexId> RegionSolver::vertices(const Region& region) {
-  return vertices_of(region, neighborhoods_.candidates(region));
 }
 
 /// Starts anew, with a solver that knows inside from outside.
