@@ -214,6 +214,22 @@ TEST(Topology, LosesHandlesThatTheSamplingDoesNotMean) {
   EXPECT_GT(n_removed, 0U);
 }
 
+/// A plate with noise as large as it is thick is all handles. One of the first
+/// sample takes a second ring about its loop; one of the second would part the
+/// surface as well.
+TEST(Topology, LosesHandlesWithoutFallingApart) {
+  for (const std::uint64_t seed : {1, 2}) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    const Reconstruction result = reconstruct(
+        shapes::sample("plate", 1000, {.seed = seed, .noise = 1.5}));
+    EXPECT_EQ(result.closing.handles_removed, 9U);
+    EXPECT_EQ(result.surface.genus, seed == 1 ? 3 : 2);
+    EXPECT_EQ(result.surface.components, 1U);
+    EXPECT_TRUE(result.surface.manifold && result.surface.outward);
+    EXPECT_TRUE(result.surface.unused_vertices.empty());
+  }
+}
+
 /// However few handles there are for so many parts.
 TEST(Topology, LosesAHandleAlsoBesideOtherParts) {
   std::size_t n_removed = 0;
@@ -389,6 +405,30 @@ TEST(LocalRepair, BringsInPointsThatAreLeftOut) {
           shapes::sample(shape, 1000, {.seed = seed, .noise = 0.3})));
     }
   EXPECT_GE(n_out, 4U);
+}
+
+/// Far below the hull: what hangs together with them by one edge is not enough.
+TEST(LocalRepair, BringsInPointsOfAVolume) {
+  for (const std::uint64_t seed : {1, 2, 3, 5, 12}) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    const delaunay::Triangulation3 triangulation(
+        shapes::sample("uniform", 400, {.seed = seed, .noise = 0.3}));
+    std::vector<VertexId> open(triangulation.vertex_of_row().begin(),
+                               triangulation.vertex_of_row().end());
+    std::sort(open.begin(), open.end());
+    auto triangles = close_by_cell_labels(triangulation, {}, open).triangles;
+    const SurfaceReport before = judged(triangulation, triangles);
+    ASSERT_FALSE(before.unused_vertices.empty());
+    ASSERT_EQ(before.components, 1U);
+
+    const LocalRepair repaired = repair_locally(triangulation, {}, triangles);
+    const SurfaceReport after = judged(triangulation, triangles);
+    EXPECT_EQ(repaired.brought_in, before.unused_vertices.size());
+    EXPECT_TRUE(repaired.left_out.empty());
+    EXPECT_TRUE(after.closed && after.manifold);
+    EXPECT_TRUE(after.unused_vertices.empty());
+    EXPECT_EQ(after.components, 1U);
+  }
 }
 
 /// The surface of each sphere alone, as triangles of both.
