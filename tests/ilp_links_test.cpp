@@ -1,10 +1,14 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <random>
+#include <set>
 #include <vector>
 
 #include "ilp/links.h"
+#include "ilp/solver.h"
 #include "tests/support/ilp_programs.h"
 
 namespace {
@@ -92,6 +96,54 @@ TEST(Links, NameEveryNodeByThePairWithItsVariables) {
     expect_listed(problem);
     EXPECT_EQ(link(problem).pairs.size(), problem.n_pairs());
     expect_linked(shuffled(problem, rng));
+  }
+}
+
+// The same constraints, with the nodes of rings named by pairs.
+Problem with_rings_of_pairs(const Problem& problem) {
+  Problem result;
+  result.add_variables(problem.n_variables());
+  for (std::size_t p = 0; p < problem.n_pairs(); ++p)
+    result.add_pair(problem.pair(p));
+  for (std::size_t r = 0; r < problem.n_rings(); ++r) {
+    const auto ring = problem.ring(r);
+    std::vector<ilp::Spoke> spokes(ring.begin(), ring.end());
+    std::map<std::uint32_t, std::uint32_t> pair_of_node;
+    std::set<std::uint32_t> used;  // two nodes may have the same variables
+    for (ilp::Spoke& s : spokes)
+      for (std::uint32_t* node : {&s.a, &s.b}) {
+        const auto [at, is_new] = pair_of_node.emplace(*node, 0);
+        for (std::uint32_t p = 0; is_new && p < problem.n_pairs(); ++p)
+          if (ascending(problem.pair(p)) == spokes_at(problem, r, *node) &&
+              used.insert(p).second) {
+            at->second = p;
+            break;
+          }
+        *node = at->second;
+      }
+    result.add_ring_of_pairs(spokes, problem.is_optional(r));
+  }
+  return support::with_fixed(result, problem.fixed());
+}
+
+TEST(Links, AreTheSameForRingsOfPairs) {
+  std::mt19937_64 rng(20261123);
+  for (int trial = 0; trial < 20; ++trial) {
+    SCOPED_TRACE(testing::Message() << "trial " << trial);
+    const Problem problem = support::torus_hole(4, 3, rng());
+    const Problem of_pairs = with_rings_of_pairs(problem);
+    expect_listed(of_pairs);
+    expect_linked(of_pairs);
+    ilp::Solver solver(problem), other(of_pairs);
+    for (int look = 0; look < 20; ++look) {
+      const ilp::Literal some(
+          VarId{static_cast<std::uint32_t>(rng() % problem.n_variables())},
+          rng() % 2 == 0);
+      ASSERT_EQ(other.solve(std::array{some}), solver.solve(std::array{some}));
+      ASSERT_EQ(other.model(), solver.model());
+      ASSERT_EQ(first_violation(of_pairs, solver.model()),
+                first_violation(problem, solver.model()));
+    }
   }
 }
 

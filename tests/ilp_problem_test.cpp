@@ -100,6 +100,7 @@ TEST(Problem, RefusesWhatMakesNoSense) {
   EXPECT_THROW(problem.add_pair(std::array{kX, kZ}), Error);
   EXPECT_THROW(problem.add_ring(std::array{Spoke{kX, 1, 1}}), Error);
   EXPECT_THROW(problem.add_ring(std::array{Spoke{kX, 0, 2}}), Error);
+  EXPECT_THROW(problem.add_ring_of_pairs(std::array{Spoke{kX, 0, 1}}), Error);
   EXPECT_THROW(problem.add_sides(std::array{Wall{kX, 0, 2}}), Error);
   EXPECT_THROW(problem.add_clause(std::array{Literal(kZ, true)}), Error);
   EXPECT_THROW(problem.add_linear(std::array{Term{kZ, 1}}, 0), Error);

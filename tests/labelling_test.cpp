@@ -106,9 +106,35 @@ TEST(Labelling, HasFaultsWhereTheCertificateSaysSo) {
       EXPECT_EQ(labels.is_used(v), parts.size() > 1);
     }
     EXPECT_EQ(n_faulty, report.nonmanifold_vertices);
+    EXPECT_EQ(labels.faulty_vertices().size(), n_faulty);
     EXPECT_EQ(n_unused, report.unused_vertices.size());
     EXPECT_EQ(report.boundary_edges, 0U);
   }
+}
+
+TEST(Labelling, ListsAllFaultyVertices) {
+  std::size_t n_faulty = 0, n_sound = 0;
+  for (std::uint64_t trial = 0; trial < 100; ++trial) {
+    SCOPED_TRACE(testing::Message() << "trial " << trial);
+    std::mt19937_64 rng(trial);
+    const Triangulation3 t = cloud(60, trial);
+    Labelling labels(t);
+    for (int n = 0; n < 40; ++n)
+      labels.flip(cell_id(rng() % t.n_finite_cells()));
+    std::vector<VertexId> expected;
+    StarParts parts;
+    for (const VertexId v : all_vertices(t)) {
+      labels.find_parts(v, parts);
+      if (parts.n_faults() > 0)
+        expected.push_back(v);
+      else
+        n_sound += labels.is_used(v) ? 1 : 0;
+    }
+    EXPECT_EQ(labels.faulty_vertices(), expected);
+    n_faulty += expected.size();
+  }
+  EXPECT_GT(n_faulty, 1000U);
+  EXPECT_GT(n_sound, 1000U);
 }
 
 TEST(Labelling, KnowsWhichEdgesAreOnTheSurface) {

@@ -78,7 +78,7 @@ TEST(EssentialLoops, GoRoundATubeThatIsOpen) {
   EXPECT_EQ(loops.n_generators(), 1U);
   EXPECT_TRUE(loops.has_loop(5));
   EXPECT_FALSE(loops.has_loop(4));
-  for (const auto& loop : loops.shortest(5)) EXPECT_EQ(loop.size(), 5U);
+  EXPECT_EQ(loops.shortest(5).vertices.size(), 5U * 9);
 }
 
 TEST(EssentialLoops, AreNotThereOnDiscs) {

@@ -229,6 +229,64 @@ TEST(PieceFinder, FindsAllSmallPiecesOfChangingSurfaces) {
   }
 }
 
+/// With the change, or as the surface is.
+std::ptrdiff_t n_pieces(const WorkingSurface& surface, const Change& change) {
+  DisjointSets sets(surface.n_vertices());
+  std::set<VertexId> used;
+  const auto add = [&](const Triangle& t) {
+    for (const VertexId v : t) sets.unite(index(t[0]), index(v));
+    used.insert(t.begin(), t.end());
+  };
+  for (TriangleIndex t = 0; t < surface.n_indices(); ++t)
+    if (surface.contains(t) &&
+        std::find(change.freed.begin(), change.freed.end(), t) ==
+            change.freed.end())
+      add(surface.corners(t));
+  for (const LocatedTriangle& t : change.chosen) add(t.corners);
+  std::set<std::uint32_t> roots;
+  for (const VertexId v : used) roots.insert(sets.root(index(v)));
+  return static_cast<std::ptrdiff_t>(roots.size());
+}
+
+TEST(PieceFinder, CountsThePiecesThatAChangeAdds) {
+  std::set<std::ptrdiff_t> met;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    std::mt19937_64 rng(seed);
+    std::uniform_int_distribution<std::uint32_t> any_column(0, 29);
+    ChangingTorus torus(30);
+    PieceFinder finder(torus.surface(), 100);
+    for (int step = 0; step < 30; ++step) {
+      SCOPED_TRACE(testing::Message() << "step " << step);
+      const std::uint32_t column = any_column(rng);
+      const auto swap = torus.swap(column);
+      const std::ptrdiff_t expected = n_pieces(torus.surface(), swap.change()) -
+                                      n_pieces(torus.surface(), {});
+      ASSERT_EQ(finder.n_pieces_added(swap.change()), expected);
+      met.insert(expected);
+      torus.make(column, swap);
+    }
+  }
+  EXPECT_EQ(met, (std::set<std::ptrdiff_t>{-1, 0, 1}));
+}
+
+TEST(PieceFinder, CountsAPieceThatGoesForGood) {
+  ChangingTorus torus(30);
+  PieceFinder finder(torus.surface(), 100);
+  for (const std::uint32_t column : {3U, 9U})
+    torus.make(column, torus.swap(column));  // two pieces
+  std::vector<TriangleIndex> freed;
+  std::vector<VertexId> vertices;
+  for (std::uint32_t j = 4; j <= 9; ++j)
+    for (std::uint32_t i = 0; i < kRound; ++i) {
+      vertices.push_back(at(i, j));
+      torus.surface().for_each_at(at(i, j), [&](TriangleIndex t) {
+        if (torus.surface().corners(t)[0] == at(i, j)) freed.push_back(t);
+      });
+    }
+  EXPECT_EQ(finder.n_pieces_added({freed, {}, vertices}), -1);
+}
+
 TEST(PieceFinder, FindsWhatOneChangeCutsOff) {
   ChangingTorus torus(60);
   const std::size_t limit = 200;

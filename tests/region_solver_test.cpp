@@ -85,7 +85,9 @@ struct Hull {
 
   /// Whether a surface passes through all inner vertices but these.
   bool has_surface_without(std::span<const VertexId> dropped) const {
-    const ClosingProgram program(surface, candidates(), inner, inner);
+    VertexNumbers numbers(surface.n_vertices());
+    const std::vector<LocatedTriangle> all = candidates();
+    const ClosingProgram program(surface, {all, inner, inner}, numbers);
     ilp::Solver solver(program.problem());
     std::vector<ilp::Literal> wanted;
     for (const auto& [v, is_dropped] : program.droppable())

@@ -46,23 +46,15 @@ std::vector<Triangle> grid_torus(std::uint32_t k, std::uint32_t l,
 TEST(EssentialLoops, GoRoundATorusTheShortWay) {
   EssentialLoops loops(5 * 9, grid_torus(5, 9, 0));
   EXPECT_EQ(loops.n_generators(), 2U);
-  EXPECT_TRUE(loops.shortest(4).empty());
-  std::vector<bool> is_met(5 * 9);
-  for (const auto& loop : loops.shortest(5)) {
-    EXPECT_EQ(loop.size(), 5U);
-    for (const VertexId v : loop) is_met[index(v)] = true;
-  }
-  EXPECT_EQ(std::count(is_met.begin(), is_met.end(), true), 5 * 9);
+  EXPECT_TRUE(loops.shortest(4).vertices.empty());
+  EXPECT_EQ(loops.shortest(5).vertices.size(), 5U * 9);
 }
 
 /// Also far from the edges that labels make out.
 TEST(EssentialLoops, GoThroughEveryVertexOfALongTube) {
   constexpr std::uint32_t kRings = 60;
   EssentialLoops loops(4 * kRings, grid_torus(4, kRings, 0));
-  std::vector<bool> is_met(4 * kRings);
-  for (const auto& loop : loops.shortest(4))
-    for (const VertexId v : loop) is_met[index(v)] = true;
-  EXPECT_EQ(std::count(is_met.begin(), is_met.end(), true), 4 * kRings);
+  EXPECT_EQ(loops.shortest(4).vertices.size(), 4U * kRings);
 }
 
 TEST(EssentialLoops, AreThereOnSurfacesWithHandlesOnly) {
@@ -73,7 +65,7 @@ TEST(EssentialLoops, AreThereOnSurfacesWithHandlesOnly) {
       {VertexId{1}, VertexId{2}, VertexId{3}}};
   EssentialLoops none(4, tetrahedron);
   EXPECT_EQ(none.n_generators(), 0U);
-  EXPECT_TRUE(none.shortest(8).empty());
+  EXPECT_TRUE(none.shortest(8).vertices.empty());
 
   // Vertex 0 is on no triangle.
   std::vector<Triangle> two = grid_torus(4, 6, 1);
@@ -81,27 +73,34 @@ TEST(EssentialLoops, AreThereOnSurfacesWithHandlesOnly) {
   two.insert(two.end(), other.begin(), other.end());
   EssentialLoops loops(1 + 24 + 42, two);
   EXPECT_EQ(loops.n_generators(), 4U);
-  for (const auto& loop : loops.shortest(5))
-    EXPECT_LT(loop.back(), VertexId{25});  // of the first torus
-  EXPECT_FALSE(loops.shortest(5).empty());
+  const auto on_loops = loops.shortest(5).vertices;
+  EXPECT_EQ(on_loops.size(), 24U);  // of the first torus
+  EXPECT_LT(on_loops.back(), VertexId{25});
 }
 
 TEST(EssentialLoops, TellTubesByLoopsThatDoNotMeet) {
   EssentialLoops long_tube(5 * 9, grid_torus(5, 9, 0));
-  EXPECT_TRUE(long_tube.shortest_round_no_tube(5).empty());
+  EXPECT_TRUE(long_tube.shortest(5).loops.empty());
   EssentialLoops four(3 * 4, grid_torus(3, 4, 0));
-  EXPECT_TRUE(four.shortest_round_no_tube(3).empty());
+  EXPECT_TRUE(four.shortest(3).loops.empty());
   EssentialLoops three(3 * 3, grid_torus(3, 3, 0));
-  EXPECT_FALSE(three.shortest(3).empty());
-  EXPECT_EQ(three.shortest_round_no_tube(3), three.shortest(3));
+  const auto found = three.shortest(3);
+  std::set<VertexId> met;
+  for (const auto& loop : found.loops) {
+    EXPECT_EQ(loop.size(), 3U);
+    met.insert(loop.begin(), loop.end());
+  }
+  EXPECT_EQ(met.size(), 9U);
+  EXPECT_TRUE(std::equal(met.begin(), met.end(), found.vertices.begin(),
+                         found.vertices.end()));
 
   std::vector<Triangle> both = grid_torus(5, 9, 0);
   const std::vector<Triangle> other = grid_torus(3, 3, 45);
   both.insert(both.end(), other.begin(), other.end());
   EssentialLoops loops(45 + 9, both);
-  EXPECT_FALSE(loops.shortest_round_no_tube(5).empty());
-  for (const auto& loop : loops.shortest_round_no_tube(5))
-    EXPECT_GE(loop.front(), VertexId{45});
+  const auto round_no_tube = loops.shortest(5).loops;
+  EXPECT_FALSE(round_no_tube.empty());
+  for (const auto& loop : round_no_tube) EXPECT_GE(loop.front(), VertexId{45});
 }
 
 TEST(EssentialLoops, NeedMoreThanOneWordOfBits) {
@@ -114,8 +113,8 @@ TEST(EssentialLoops, NeedMoreThanOneWordOfBits) {
   EssentialLoops loops(12 * kTori, all);
   EXPECT_EQ(loops.n_generators(), 2 * kTori);
   std::vector<bool> has_loop(kTori);
-  for (const auto& loop : loops.shortest(3))
-    has_loop[index(loop.front()) / 12] = true;
+  for (const VertexId v : loops.shortest(3).vertices)
+    has_loop[index(v) / 12] = true;
   EXPECT_EQ(std::count(has_loop.begin(), has_loop.end(), true), kTori);
 }
 
@@ -213,6 +212,22 @@ TEST(Topology, LosesHandlesThatTheSamplingDoesNotMean) {
     n_removed += after.closing.handles_removed;
   }
   EXPECT_GT(n_removed, 0U);
+}
+
+/// A plate with noise as large as it is thick is all handles. One of the first
+/// sample takes a second ring about its loop; one of the second would part the
+/// surface as well.
+TEST(Topology, LosesHandlesWithoutFallingApart) {
+  for (const std::uint64_t seed : {1, 2}) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    const Reconstruction result = reconstruct(
+        shapes::sample("plate", 1000, {.seed = seed, .noise = 1.5}));
+    EXPECT_EQ(result.closing.handles_removed, 9U);
+    EXPECT_EQ(result.surface.genus, seed == 1 ? 3 : 2);
+    EXPECT_EQ(result.surface.components, 1U);
+    EXPECT_TRUE(result.surface.manifold && result.surface.outward);
+    EXPECT_TRUE(result.surface.unused_vertices.empty());
+  }
 }
 
 /// However few handles there are for so many parts.
@@ -390,6 +405,30 @@ TEST(LocalRepair, BringsInPointsThatAreLeftOut) {
           shapes::sample(shape, 1000, {.seed = seed, .noise = 0.3})));
     }
   EXPECT_GE(n_out, 4U);
+}
+
+/// Far below the hull: what hangs together with them by one edge is not enough.
+TEST(LocalRepair, BringsInPointsOfAVolume) {
+  for (const std::uint64_t seed : {1, 2, 3, 5, 12}) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    const delaunay::Triangulation3 triangulation(
+        shapes::sample("uniform", 400, {.seed = seed, .noise = 0.3}));
+    std::vector<VertexId> open(triangulation.vertex_of_row().begin(),
+                               triangulation.vertex_of_row().end());
+    std::sort(open.begin(), open.end());
+    auto triangles = close_by_cell_labels(triangulation, {}, open).triangles;
+    const SurfaceReport before = judged(triangulation, triangles);
+    ASSERT_FALSE(before.unused_vertices.empty());
+    ASSERT_EQ(before.components, 1U);
+
+    const LocalRepair repaired = repair_locally(triangulation, {}, triangles);
+    const SurfaceReport after = judged(triangulation, triangles);
+    EXPECT_EQ(repaired.brought_in, before.unused_vertices.size());
+    EXPECT_TRUE(repaired.left_out.empty());
+    EXPECT_TRUE(after.closed && after.manifold);
+    EXPECT_TRUE(after.unused_vertices.empty());
+    EXPECT_EQ(after.components, 1U);
+  }
 }
 
 /// The surface of each sphere alone, as triangles of both.

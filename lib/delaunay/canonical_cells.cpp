@@ -67,19 +67,31 @@ void CanonicalCells::number_cells() {
   }
 }
 
+/// Each cell is read and written once; of its neighbours only bytes are read.
 void CanonicalCells::rewrite_cells() {
-  for (std::uint32_t c = 0; c < original_of_.size(); ++c) {
-    const Cell& from = original_.cell(original_of_[c]);
-    Cell& to = triangulation_.cells_[c];
-    to = from;
-    to.vertex = ordered(from);
-  }
-  for (std::uint32_t c = 0; c < original_of_.size(); ++c) {
-    const Cell& from = original_.cell(original_of_[c]);
-    Cell& to = triangulation_.cells_[c];
+  const std::size_t n = original_.cells().size();
+  // By cell of the original: the places of its corners in the copy.
+  std::vector<std::uint8_t> places(n);
+  for (std::size_t c = 0; c < n; ++c) {
+    const Cell& from = original_.cells()[c];
+    const Corners corners = ordered(from);
     for (unsigned i = 0; i < 4; ++i)
-      to.neighbor[position(to.vertex, from.vertex[i])] =
-          from_original(from.neighbor[i]);
+      places[c] |=
+          static_cast<std::uint8_t>(position(corners, from.vertex[i]) << 2 * i);
+  }
+  const auto copied = [&](Facet f) {
+    return Facet(copy_of_[index(f.cell())],
+                 places[index(f.cell())] >> 2 * f.index() & 3U);
+  };
+  for (std::uint32_t c = 0; c < n; ++c) {
+    const Cell& from = original_.cells()[c];
+    Cell to = from;
+    for (unsigned i = 0; i < 4; ++i) {
+      const unsigned place = copied(Facet(CellId{c}, i)).index();
+      to.vertex[place] = from.vertex[i];
+      to.neighbor[place] = copied(from.neighbor[i]);
+    }
+    triangulation_.cells_[index(copy_of_[c])] = to;
   }
 }
 

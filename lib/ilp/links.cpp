@@ -52,10 +52,15 @@ class Linker {
 
   void add_ring(std::uint32_t r) {
     const std::span<const Spoke> spokes = problem_.ring(r);
-    if (!guess_pairs(spokes) || !is_guess_right(spokes)) find_pairs(spokes, r);
     linked_.clear();
-    for (const Spoke& s : spokes)
-      linked_.push_back({s.var, nodes_[s.a].pair, nodes_[s.b].pair});
+    if (problem_.is_of_pairs(r)) {
+      for (const Spoke& s : spokes) linked_.push_back({s.var, s.a, s.b});
+    } else {
+      if (!guess_pairs(spokes) || !is_guess_right(spokes))
+        find_pairs(spokes, r);
+      for (const Spoke& s : spokes)
+        linked_.push_back({s.var, nodes_[s.a].pair, nodes_[s.b].pair});
+    }
     links_.rings.add(linked_);
   }
 

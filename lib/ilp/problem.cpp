@@ -117,17 +117,31 @@ ConstraintId Problem::add_pair(std::span<const VarId> vars) {
 }
 
 ConstraintId Problem::add_ring(std::span<const Spoke> spokes, bool optional) {
+  check_spokes(spokes, 2 * spokes.size());
+  const ConstraintId id = add_row(rings_, spokes, ConstraintKind::Ring);
+  is_optional_.push_back(optional);
+  is_of_pairs_.push_back(false);
+  return id;
+}
+
+ConstraintId Problem::add_ring_of_pairs(std::span<const Spoke> spokes,
+                                        bool optional) {
+  check_spokes(spokes, n_pairs());
+  const ConstraintId id = add_row(rings_, spokes, ConstraintKind::Ring);
+  is_optional_.push_back(optional);
+  is_of_pairs_.push_back(true);
+  return id;
+}
+
+void Problem::check_spokes(std::span<const Spoke> spokes, std::size_t n_nodes) {
   ++n_checks_;
   for (const Spoke& s : spokes) {
     check_distinct(s.var);
-    if (s.a == s.b || std::max(s.a, s.b) >= 2 * spokes.size())
+    if (s.a == s.b || std::max(s.a, s.b) >= n_nodes)
       throw std::invalid_argument("ilp: spoke " + std::to_string(s.a) + " " +
                                   std::to_string(s.b) + " of ring " +
                                   std::to_string(n_rings()));
   }
-  const ConstraintId id = add_row(rings_, spokes, ConstraintKind::Ring);
-  is_optional_.push_back(optional);
-  return id;
 }
 
 ConstraintId Problem::add_sides(std::span<const Wall> walls) {

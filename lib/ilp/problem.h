@@ -45,6 +45,13 @@ class Problem {
   /// @throws std::invalid_argument  unknown or repeated variable, wrong node
   ConstraintId add_ring(std::span<const Spoke> spokes, bool optional = false);
 
+  /// The same with pairs of the problem as nodes: a and b are their numbers. A
+  /// solver need not find out then which pair is where.
+  /// @throws std::invalid_argument  unknown or repeated variable or pair
+  /// @pre each pair holds the spokes at it and no others
+  ConstraintId add_ring_of_pairs(std::span<const Spoke> spokes,
+                                 bool optional = false);
+
   /// There is a way to put each room on one of two sides that agrees with all
   /// walls. A closed surface has it: it parts space into inside and outside.
   /// So where the variables are triangles between cells this says nothing new,
@@ -76,6 +83,8 @@ class Problem {
   std::span<const Spoke> ring(std::size_t i) const { return rings_[i]; }
   const Rows<Spoke>& rings() const { return rings_; }
   bool is_optional(std::size_t ring) const { return is_optional_[ring]; }
+  /// Whether its nodes are pairs.
+  bool is_of_pairs(std::size_t ring) const { return is_of_pairs_[ring]; }
   std::span<const Wall> sides(std::size_t i) const { return sides_[i]; }
   std::span<const Literal> clause(std::size_t i) const { return clauses_[i]; }
   std::span<const Term> linear(std::size_t i) const { return linear_[i]; }
@@ -83,6 +92,7 @@ class Problem {
   std::span<const Literal> fixed() const { return fixed_; }
 
  private:
+  void check_spokes(std::span<const Spoke> spokes, std::size_t n_nodes);
   void check_known(VarId var) const;
   void check_distinct(VarId var);
 
@@ -93,6 +103,7 @@ class Problem {
   Rows<Term> linear_;
   std::vector<std::int64_t> bounds_;
   std::vector<bool> is_optional_;
+  std::vector<bool> is_of_pairs_;
   std::vector<Literal> fixed_;
   std::vector<std::uint32_t> mark_;  // last check that met the variable
   std::uint32_t n_checks_ = 0;

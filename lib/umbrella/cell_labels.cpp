@@ -13,16 +13,6 @@
 namespace umbrella {
 namespace {
 
-bool has_faults(Labelling& labels) {
-  StarParts parts;
-  const std::size_t n = labels.triangulation().points().size();
-  for (std::uint32_t v = 0; v < n; ++v) {
-    labels.find_parts(VertexId{v}, parts);
-    if (parts.n_faults() > 0) return true;
-  }
-  return false;
-}
-
 /// Ties go by the numbers of cells here.
 CellLabelResult close_canonical(const delaunay::Triangulation3& triangulation,
                                 std::span<const LocatedTriangle> kept,
@@ -32,7 +22,7 @@ CellLabelResult close_canonical(const delaunay::Triangulation3& triangulation,
   LabelFrame frame(triangulation, options.weight, kept, open);
   Labelling labels(triangulation);
   label_worst_first(frame, kept, labels);
-  if (has_faults(labels)) {
+  if (!labels.faulty_vertices().empty()) {
     const auto held = held_by_cut(frame, kept, labels);
     frame.keep(held);
     label_worst_first(frame, held, labels);

@@ -11,6 +11,7 @@
 #include <limits>
 #include <optional>
 #include <thread>
+#include <utility>
 
 #include "umbrella/cell_labels.h"
 #include "umbrella/local_repair_internal.h"
@@ -70,7 +71,7 @@ class Closing {
   void note(Task& task, const Region& region) const;
   bool allow_pieces(Task& task);
   bool drop_points(Task& task);
-  void swallow(Task& task, Region& region);
+  std::vector<LocatedTriangle> swallow(Task& task, Region& region);
   void accept(const Attempt& solved);
   void give_up(const Task& task);
   bool label_cells();
@@ -132,7 +133,8 @@ void Closing::solve_as_given(std::vector<Region> regions) {
     Attempt& attempt = first[i];
     report.candidate_triangles += attempt.n_candidates;
     report.variables += attempt.n_variables;
-    if (attempt.outcome == Outcome::Solved && solver_.closes_fragment(attempt))
+    if (attempt.outcome == Outcome::Solved && attempt.has_waited &&
+        solver_.closes_fragment(attempt))
       attempt = solver_.attempt(regions[i], efforts[i]);
     if (attempt.outcome == Outcome::Solved) {
       accept(attempt);
@@ -232,13 +234,13 @@ bool Closing::attempt(Task& task, Region& region, bool accept_drops) {
     task.has_hit_limit = true;
     return false;
   }
-  swallow(task, region);
-  const std::size_t n_candidates = solver_.n_candidates(region);
+  std::vector<LocatedTriangle> candidates = swallow(task, region);
+  const std::size_t n_candidates = candidates.size();
   if (n_candidates >= task.undecided ||
       (!accept_drops && n_candidates == task.last.n_candidates))
     return false;
   task.last = solver_.attempt(
-      region, task.effort,
+      {region, std::move(candidates)}, task.effort,
       {.may_drop = region.vertices, .accept_drops = accept_drops});
   if (task.last.outcome == Outcome::Solved) {
     accept(task.last);
@@ -259,28 +261,29 @@ void Closing::note(Task& task, const Region& region) const {
 }
 
 /// Open regions that the program would touch become part of it.
-void Closing::swallow(Task& task, Region& region) {
-  bool has_grown = true;
-  while (has_grown) {
-    has_grown = false;
-    const std::vector<VertexId> touched = solver_.vertices(region);
-    for (auto other = tasks_.begin(); other != tasks_.end();) {
+/// @return the candidates of what is the region then
+std::vector<LocatedTriangle> Closing::swallow(Task& task, Region& region) {
+  while (true) {
+    std::vector<LocatedTriangle> candidates = solver_.candidates(region);
+    const std::vector<VertexId> touched = vertices_of(region, candidates);
+    const auto is_apart = [&](const Task& other) {
+      return std::none_of(other.region.vertices.begin(),
+                          other.region.vertices.end(), [&](VertexId v) {
+                            return std::binary_search(touched.begin(),
+                                                      touched.end(), v);
+                          });
+    };
+    const auto met =
+        std::stable_partition(tasks_.begin(), tasks_.end(), is_apart);
+    if (met == tasks_.end()) return candidates;
+    for (auto other = met; other != tasks_.end(); ++other) {
       const auto& theirs = other->region.vertices;
-      const bool meets =
-          std::any_of(theirs.begin(), theirs.end(), [&](VertexId v) {
-            return std::binary_search(touched.begin(), touched.end(), v);
-          });
-      if (!meets) {
-        ++other;
-        continue;
-      }
       region.vertices = united(region.vertices, theirs);
       task.region.vertices = united(task.region.vertices, theirs);
       task.stuck = united(task.stuck, other->stuck);
       task.n_regions += other->n_regions;
-      other = tasks_.erase(other);
-      has_grown = true;
     }
+    tasks_.erase(met, tasks_.end());
   }
 }
 

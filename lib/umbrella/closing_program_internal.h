@@ -4,30 +4,60 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
 #include "ilp/problem.h"
+#include "ilp/rows.h"
 #include "ilp/solver.h"
 #include "umbrella/region_internal.h"
 #include "umbrella/working_surface_internal.h"
 
 namespace umbrella {
 
+/// Some vertices, numbered in a row.
+class VertexNumbers {
+ public:
+  explicit VertexNumbers(std::size_t n_vertices) : number_(n_vertices) {}
+
+  /// Forgets those before.
+  void assign(std::span<const VertexId> vertices) {
+    vertices_.assign(vertices.begin(), vertices.end());
+    for (std::uint32_t i = 0; i < vertices_.size(); ++i)
+      number_[index(vertices_[i])] = i;
+  }
+  std::span<const VertexId> vertices() const { return vertices_; }
+  bool contains(VertexId v) const {
+    const std::uint32_t i = number_[index(v)];
+    return i < vertices_.size() && vertices_[i] == v;
+  }
+  /// @pre contains(v)
+  std::uint32_t operator[](VertexId v) const { return number_[index(v)]; }
+
+ private:
+  std::vector<VertexId> vertices_;
+  std::vector<std::uint32_t> number_;  // of others: anything
+};
+
 /// A program over the candidates of a region: candidate i is variable i. The
 /// other triangles of the surface at the program's vertices take part as
 /// variables fixed to true; those of the surface that are candidates are free.
 class ClosingProgram {
  public:
-  /// @param candidates  distinct, ascending
-  /// @param vertices  all corners of these, and perhaps more to be covered;
-  ///   ascending
-  /// @param may_drop  vertices that may stay without triangles if no fixed
-  ///   triangle is there; ascending
-  ClosingProgram(const WorkingSurface& surface,
-                 std::span<const LocatedTriangle> candidates,
-                 std::vector<VertexId> vertices,
-                 std::span<const VertexId> may_drop);
+  struct Parts {
+    /// Distinct, ascending.
+    std::span<const LocatedTriangle> candidates;
+    /// All corners of these, and perhaps more to be covered; ascending.
+    std::vector<VertexId> vertices;
+    /// Those that may stay without triangles if no fixed triangle is there;
+    /// ascending.
+    std::span<const VertexId> may_drop = {};
+  };
+
+  /// @param numbers  scratch, of all vertices
+  ClosingProgram(const WorkingSurface& surface, Parts parts,
+                 VertexNumbers& numbers);
 
   /// Says in addition that the candidates part inside from outside.
   void add_sides(std::span<const ilp::Wall> walls) {
@@ -59,30 +89,33 @@ class ClosingProgram {
   std::vector<VertexId> vertices_of(const ilp::Core& core) const;
 
  private:
-  struct Member {
-    Triangle corners;
-    ilp::VarId var;
-  };
   using Edge = std::array<VertexId, 2>;
+  /// Corners of a triangle by their place in nodes_; ascending.
+  using Member = std::array<std::uint32_t, 3>;
+  /// A triangle, three times its number and more, with one of its sides; then
+  /// their pair.
+  using PairOfSide = std::vector<std::uint32_t>;
 
+  void sort_triangles(const WorkingSurface& surface,
+                      std::span<const LocatedTriangle> candidates,
+                      const VertexNumbers& numbers);
   void add_members(const WorkingSurface& surface,
-                   std::span<const LocatedTriangle> candidates);
-  bool has_vertex(const Member& member, VertexId v) const;
-  void add_pairs();
-  void add_rings(std::span<const VertexId> may_drop);
-  void add_ring(VertexId v, std::span<const Member> members, bool may_drop);
-  void let_drop(VertexId v, std::span<const Member> members);
+                   std::span<const LocatedTriangle> candidates,
+                   VertexNumbers& numbers);
+  PairOfSide add_pairs();
+  void add_rings(const PairOfSide& pairs, std::span<const VertexId> may_drop);
+  void let_drop(VertexId v, std::span<const std::uint32_t> corners);
 
   ilp::Problem problem_;
   std::size_t n_candidates_;
   std::vector<VertexId> vertices_;
-  std::vector<Member> members_;  // candidates, then fixed triangles
   std::vector<TriangleIndex> freed_, fixed_;
+  std::vector<VertexId> nodes_;  // those, and other corners of the fixed ones
+  std::vector<std::uint8_t> is_free_;  // by node: one of those
+  std::vector<Member> members_;  // by variable: candidates, then fixed ones
   std::vector<Edge> edge_of_pair_;
   std::vector<VertexId> vertex_of_ring_;
   std::vector<Droppable> droppable_;
-  std::vector<VertexId> ends_;      // scratch: of the spokes of a ring
-  std::vector<ilp::Spoke> spokes_;  // scratch
 };
 
 }  // namespace umbrella

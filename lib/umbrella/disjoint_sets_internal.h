@@ -38,8 +38,13 @@ class DisjointSets {
   void add() { parent_.push_back(static_cast<std::uint32_t>(parent_.size())); }
   /// Adds what is counted at each member to the count at its root.
   void add_at_roots(std::vector<std::uint32_t>& counts) {
+    flatten();
     for (std::size_t i = 0; i < counts.size(); ++i)
-      if (const std::uint32_t r = root(i); r != i) counts[r] += counts[i];
+      if (const std::uint32_t r = parent_[i]; r != i) counts[r] += counts[i];
+  }
+  /// Until the next union root() takes one step.
+  void flatten() {
+    for (std::uint32_t& parent : parent_) parent = parent_[parent];
   }
 
  private:

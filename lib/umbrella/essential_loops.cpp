@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -11,32 +12,32 @@ namespace {
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 constexpr std::size_t kBits = 64;
 
-using Loops = std::vector<std::vector<VertexId>>;
-
 /// The short ones first.
 bool is_before(const std::vector<VertexId>& a, const std::vector<VertexId>& b) {
   return a.size() != b.size() ? a.size() < b.size() : a < b;
 }
 
-/// Each once, in order.
-void sort_out(Loops& loops) {
-  std::sort(loops.begin(), loops.end(), is_before);
-  loops.erase(std::unique(loops.begin(), loops.end()), loops.end());
+template <class Items, class Before>
+void sort_unique(Items& items, Before before) {
+  std::sort(items.begin(), items.end(), before);
+  items.erase(std::unique(items.begin(), items.end()), items.end());
 }
 
 }  // namespace
 
 EssentialLoops::EssentialLoops(std::size_t n_vertices,
-                               std::span<const Triangle> triangles) {
+                               std::span<const Triangle> triangles,
+                               std::span<const Seam> boundary) {
   begin_.assign(n_vertices + 1, 0);
-  find_edges(triangles);
+  find_edges(triangles, boundary);
   find_spokes();
   label_edges(spanning_forest());
   step_of_vertex_.assign(n_vertices, kNone);
 }
 
 /// By their smaller end, then by the other.
-void EssentialLoops::find_edges(std::span<const Triangle> triangles) {
+void EssentialLoops::find_edges(std::span<const Triangle> triangles,
+                                std::span<const Seam> boundary) {
   struct Side {
     VertexId end;
     std::uint32_t face;
@@ -56,7 +57,12 @@ void EssentialLoops::find_edges(std::span<const Triangle> triangles) {
   for_each_side(
       [&](VertexId v, const Side& s) { sides[last[index(v)]++] = s; });
 
-  edges_of_face_.assign(triangles.size(), {kNone, kNone, kNone});
+  const auto n_triangles = static_cast<std::uint32_t>(triangles.size());
+  edges_of_triangle_.assign(n_triangles, {kNone, kNone, kNone});
+  auto seam = boundary.begin();
+  const auto beyond = [&] {
+    return n_triangles + (seam == boundary.end() ? 0 : (seam++)->piece);
+  };
   std::size_t i = 0;
   for (std::uint32_t v = 0; v + 1 < begin_.size(); ++v) {
     std::sort(sides.begin() + static_cast<std::ptrdiff_t>(i),
@@ -66,18 +72,23 @@ void EssentialLoops::find_edges(std::span<const Triangle> triangles) {
       const auto [end, face] = sides[i++];
       const bool is_inner = i < last[v] && sides[i].end == end;
       add_edge(
-          {{VertexId{v}, end}, {face, is_inner ? sides[i++].face : kNone}});
+          {{VertexId{v}, end}, {face, is_inner ? sides[i++].face : beyond()}});
     }
   }
 }
 
 void EssentialLoops::add_edge(const Edge& edge) {
-  for (const std::uint32_t f : edge.faces)
-    if (f == kNone)
-      has_boundary_ = true;
-    else
-      *std::find(edges_of_face_[f].begin(), edges_of_face_[f].end(), kNone) =
-          static_cast<std::uint32_t>(edges_.size());
+  const auto e = static_cast<std::uint32_t>(edges_.size());
+  const std::size_t n_triangles = edges_of_triangle_.size();
+  for (const std::uint32_t f : edge.faces) {
+    if (f < n_triangles) {
+      auto& edges = edges_of_triangle_[f];
+      *std::find(edges.begin(), edges.end(), kNone) = e;
+      continue;
+    }
+    if (f >= n_faces()) edges_of_piece_.resize(f - n_triangles + 1);
+    edges_of_piece_[f - n_triangles].push_back(e);
+  }
   edges_.push_back(edge);
 }
 
@@ -114,35 +125,28 @@ std::vector<bool> EssentialLoops::spanning_forest() const {
   return in_forest;
 }
 
-/// Trees with a way out come first, so that the others are closed components.
 EssentialLoops::DualForest EssentialLoops::dual_forest(
     const std::vector<bool>& in_forest) const {
-  const std::size_t n_faces = edges_of_face_.size();
-  DualForest forest = {std::vector<std::uint32_t>(n_faces, kNone),
+  DualForest forest = {std::vector<std::uint32_t>(n_faces(), kNone),
                        {},
-                       std::vector<bool>(n_faces)};
-  for (std::uint32_t f = 0; f < n_faces && has_boundary_; ++f)
-    for (const std::uint32_t e : edges_of_face_[f])
-      if (!in_forest[e] && across(f, e) == kNone)
-        grow_dual_tree(f, e, in_forest, forest);
-  for (std::uint32_t f = 0; f < n_faces; ++f)
-    grow_dual_tree(f, kNone, in_forest, forest);
+                       std::vector<bool>(n_faces())};
+  for (std::uint32_t f = 0; f < n_faces(); ++f)
+    grow_dual_tree(f, in_forest, forest);
   return forest;
 }
 
 /// Does nothing if the root is in a tree.
-void EssentialLoops::grow_dual_tree(std::uint32_t root, std::uint32_t entry,
+void EssentialLoops::grow_dual_tree(std::uint32_t root,
                                     const std::vector<bool>& in_forest,
                                     DualForest& forest) const {
   auto& [entries, order, is_met] = forest;
   if (is_met[root]) return;
   is_met[root] = true;
-  entries[root] = entry;
   std::size_t next = order.size();
   for (order.push_back(root); next < order.size(); ++next)
-    for (const std::uint32_t e : edges_of_face_[order[next]]) {
+    for (const std::uint32_t e : edges_of(order[next])) {
       const std::uint32_t beyond = across(order[next], e);
-      if (in_forest[e] || beyond == kNone || is_met[beyond]) continue;
+      if (in_forest[e] || is_met[beyond]) continue;
       is_met[beyond] = true;
       entries[beyond] = e;
       order.push_back(beyond);
@@ -150,8 +154,7 @@ void EssentialLoops::grow_dual_tree(std::uint32_t root, std::uint32_t entry,
 }
 
 /// With the ends of each generator's dual edge marked, a dual edge is on the
-/// way between them if an odd number of marks lies beyond it. An end outside
-/// needs no mark: all ways out lead there.
+/// way between them if an odd number of marks lies beyond it.
 void EssentialLoops::label_edges(const std::vector<bool>& in_forest) {
   const auto [entry, order, is_met] = dual_forest(in_forest);
   std::vector<bool> is_generator(in_forest);
@@ -163,13 +166,13 @@ void EssentialLoops::label_edges(const std::vector<bool>& in_forest) {
   n_words_ = (n_generators_ + kBits - 1) / kBits;
 
   label_.assign(edges_.size() * n_words_, 0);
-  std::vector<Word> marks(edges_of_face_.size() * n_words_);
+  std::vector<Word> marks(n_faces() * n_words_);
   for (std::size_t e = 0, g = 0; e < edges_.size(); ++e) {
     if (!is_generator[e]) continue;
     const Word bit = Word{1} << (g % kBits);
     label_[e * n_words_ + g / kBits] ^= bit;
     for (const std::uint32_t f : edges_[e].faces)
-      if (f != kNone) marks[f * n_words_ + g / kBits] ^= bit;
+      marks[f * n_words_ + g / kBits] ^= bit;
     ++g;
   }
   for (auto f = order.rbegin(); f != order.rend(); ++f) {
@@ -178,7 +181,7 @@ void EssentialLoops::label_edges(const std::vector<bool>& in_forest) {
     for (std::size_t w = 0; w < n_words_; ++w) {
       const Word mark = marks[*f * n_words_ + w];
       label_[entry[*f] * n_words_ + w] ^= mark;
-      if (parent != kNone) marks[parent * n_words_ + w] ^= mark;
+      marks[parent * n_words_ + w] ^= mark;
     }
   }
 }
@@ -189,62 +192,75 @@ bool EssentialLoops::is_labelled(std::uint32_t edge) const {
                      [](Word word) { return word != 0; });
 }
 
-/// By vertex: the smaller end of a labelled edge.
-std::vector<bool> EssentialLoops::labelled_ends() const {
-  std::vector<bool> result(begin_.size() - 1);
+/// The smaller ends of labelled edges, ascending.
+std::vector<VertexId> EssentialLoops::labelled_ends() const {
+  std::vector<VertexId> result;
   for (std::uint32_t e = 0; e < edges_.size(); ++e)
-    if (is_labelled(e)) result[index(edges_[e].ends[0])] = true;
+    if (is_labelled(e)) result.push_back(edges_[e].ends[0]);
+  result.erase(std::unique(result.begin(), result.end()), result.end());
   return result;
 }
 
-/// With all vertices within so many edges.
-std::vector<bool> EssentialLoops::widened(std::vector<bool> vertices,
-                                          unsigned n_edges) const {
-  for (unsigned ring = 0; ring < n_edges; ++ring) {
-    const std::vector<bool> inner = vertices;
-    for (const Edge& edge : edges_)
-      if (const auto& [a, b] = edge.ends; inner[index(a)] || inner[index(b)])
-        vertices[index(a)] = vertices[index(b)] = true;
-  }
-  return vertices;
+/// With all vertices within so many edges; ascending.
+std::vector<VertexId> EssentialLoops::widened(
+    std::span<const VertexId> vertices, unsigned n_edges) const {
+  std::vector<bool> is_met(begin_.size() - 1);
+  std::vector<VertexId> result;
+  const auto enter = [&](VertexId v) {
+    if (!is_met[index(v)]) result.push_back(v);
+    is_met[index(v)] = true;
+  };
+  for (const VertexId v : vertices) enter(v);
+  std::size_t next = 0;
+  for (unsigned ring = 0; ring < n_edges; ++ring)
+    for (const std::size_t end = result.size(); next < end; ++next)
+      for (const Spoke& spoke : spokes(result[next])) enter(spoke.end);
+  std::sort(result.begin(), result.end());
+  return result;
 }
 
 bool EssentialLoops::has_loop(unsigned max_edges) {
-  const std::vector<bool> starts = labelled_ends();
-  for (std::uint32_t v = 0; v < starts.size(); ++v)
-    if (starts[v] && !shortest_through(VertexId{v}, max_edges).vertices.empty())
-      return true;
-  return false;
+  const std::vector<VertexId> starts = labelled_ends();
+  return std::any_of(starts.begin(), starts.end(), [&](VertexId v) {
+    return !shortest_through(v, max_edges).vertices.empty();
+  });
 }
 
-std::vector<std::vector<VertexId>> EssentialLoops::shortest(
-    unsigned max_edges) {
-  Loops result;
-  for (Loop& loop : all_shortest(max_edges))
-    result.push_back(std::move(loop.vertices));
-  sort_out(result);
-  return result;
+/// An essential loop has a labelled edge. So if none goes through the smaller
+/// end of one, there is none; and no vertex of a loop is more than half its
+/// length away from such an end.
+EssentialLoops::Found EssentialLoops::shortest(unsigned max_edges) {
+  const std::vector<VertexId> starts = labelled_ends();
+  if (shortest_through(starts, max_edges).empty()) return {};
+  return shortest(widened(starts, max_edges / 2), max_edges);
 }
 
-std::vector<std::vector<VertexId>> EssentialLoops::shortest_round_no_tube(
-    unsigned max_edges) {
-  std::vector<Loop> loops = all_shortest(max_edges);
+EssentialLoops::Found EssentialLoops::shortest(std::span<const VertexId> starts,
+                                               unsigned max_edges) {
+  return sort_out(shortest_through(starts, max_edges));
+}
+
+EssentialLoops::Found EssentialLoops::sort_out(std::vector<Loop> loops) {
   std::sort(loops.begin(), loops.end(), [](const Loop& a, const Loop& b) {
     if (a.label != b.label) return a.label < b.label;
     return is_before(a.vertices, b.vertices);
   });
-  Loops result;
+  Found found;
+  for (const Loop& loop : loops)
+    found.vertices.insert(found.vertices.end(), loop.vertices.begin(),
+                          loop.vertices.end());
   for (auto first = loops.begin(); first != loops.end();) {
     const auto last = std::find_if(first, loops.end(), [&](const Loop& loop) {
       return loop.label != first->label;
     });
     if (!go_round_tube({first, last}))
       for (auto loop = first; loop != last; ++loop)
-        result.push_back(std::move(loop->vertices));
+        found.loops.push_back(std::move(loop->vertices));
     first = last;
   }
-  sort_out(result);
-  return result;
+  sort_unique(found.loops, is_before);
+  sort_unique(found.vertices, std::less<>());
+  return found;
 }
 
 /// Counts loops of one class that have no vertex in common: the first, and each
@@ -264,23 +280,11 @@ bool EssentialLoops::go_round_tube(std::span<const Loop> loops) {
   return n >= kTube;
 }
 
-/// An essential loop has a labelled edge. So if none goes through the smaller
-/// end of one, there is none; and no vertex of a loop is more than half its
-/// length away from such an end.
-std::vector<EssentialLoops::Loop> EssentialLoops::all_shortest(
-    unsigned max_edges) {
-  std::vector<bool> starts = labelled_ends();
-  std::vector<Loop> loops = shortest_through(starts, max_edges);
-  if (loops.empty()) return loops;
-  return shortest_through(widened(std::move(starts), max_edges / 2), max_edges);
-}
-
 std::vector<EssentialLoops::Loop> EssentialLoops::shortest_through(
-    const std::vector<bool>& starts, unsigned max_edges) {
+    std::span<const VertexId> starts, unsigned max_edges) {
   std::vector<Loop> loops;
-  for (std::uint32_t v = 0; v < starts.size(); ++v) {
-    if (!starts[v]) continue;
-    loops.push_back(shortest_through(VertexId{v}, max_edges));
+  for (const VertexId v : starts) {
+    loops.push_back(shortest_through(v, max_edges));
     if (loops.back().vertices.empty()) loops.pop_back();
   }
   return loops;

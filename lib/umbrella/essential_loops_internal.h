@@ -18,12 +18,24 @@ namespace umbrella {
 ///
 /// An edge that is in neither a spanning forest of the edges nor one of the
 /// dual edges is a generator [Eppstein03]; its bit is set on the edges that the
-/// cycle of its dual edge with the dual forest crosses. Where the surface has a
-/// boundary, the dual trees begin outside, and so do these cycles.
+/// cycle of its dual edge with the dual forest crosses.
+///
+/// What lies beyond the boundary is in pieces, each a face of the dual graph,
+/// so that its whole boundary bounds. With one piece these are the loops that
+/// do not bound on the triangles alone; with the pieces that the rest of a
+/// closed surface has, those that do not bound on that surface.
 class EssentialLoops {
  public:
+  /// An edge of the boundary, and the piece beyond it.
+  struct Seam {
+    std::array<VertexId, 2> ends;  // ascending
+    std::uint32_t piece;
+  };
+
   /// @param triangles  each edge has two, or one on the boundary
-  EssentialLoops(std::size_t n_vertices, std::span<const Triangle> triangles);
+  /// @param boundary  all of it, ascending; none: one piece lies beyond
+  EssentialLoops(std::size_t n_vertices, std::span<const Triangle> triangles,
+                 std::span<const Seam> boundary = {});
 
   /// Twice the number of handles, if the surface is closed.
   std::size_t n_generators() const { return n_generators_; }
@@ -31,20 +43,24 @@ class EssentialLoops {
   /// Whether there is a loop that does not bound of at most `max_edges` edges.
   bool has_loop(unsigned max_edges);
 
-  /// For each vertex, the vertices of a shortest loop through it that does not
-  /// bound, if it has at most `max_edges` edges; ascending. The
-  /// short ones first, each once.
-  std::vector<std::vector<VertexId>> shortest(unsigned max_edges);
-
-  /// Those of shortest() that do not go round a tube. A tube has at least
-  /// kTube such loops that have no vertex in common and bound pairwise.
-  std::vector<std::vector<VertexId>> shortest_round_no_tube(unsigned max_edges);
+  struct Found {
+    /// The vertices of each loop that does not go round a tube, ascending; the
+    /// short ones first, each once.
+    std::vector<std::vector<VertexId>> loops;
+    std::vector<VertexId> vertices;  ///< of these and the others; ascending
+  };
+  /// For each vertex a shortest loop through it that does not bound, if it has
+  /// at most `max_edges` edges. A tube has at least kTube such loops that have
+  /// no vertex in common and bound pairwise.
+  Found shortest(unsigned max_edges);
+  /// The same for some vertices, ascending.
+  Found shortest(std::span<const VertexId> starts, unsigned max_edges);
   static constexpr std::size_t kTube = 4;
 
  private:
   struct Edge {
     std::array<VertexId, 2> ends;
-    std::array<std::uint32_t, 2> faces;  // the second may be none
+    std::array<std::uint32_t, 2> faces;
   };
   struct Spoke {
     VertexId end;
@@ -57,9 +73,8 @@ class EssentialLoops {
     unsigned depth;
   };
   struct DualForest {
-    /// Of each face: the edge towards the root. At a root an edge of the
-    /// boundary; none where the component has no boundary.
-    std::vector<std::uint32_t> entry;
+    std::vector<std::uint32_t>
+        entry;  // of each face: towards the root, or none
     std::vector<std::uint32_t> order;  // faces after those that they lead to
     std::vector<bool> is_met;
   };
@@ -69,13 +84,13 @@ class EssentialLoops {
     std::vector<Word> label;
   };
 
-  void find_edges(std::span<const Triangle> triangles);
+  void find_edges(std::span<const Triangle> triangles,
+                  std::span<const Seam> boundary);
   void add_edge(const Edge& edge);
   void find_spokes();
   std::vector<bool> spanning_forest() const;
   DualForest dual_forest(const std::vector<bool>& in_forest) const;
-  void grow_dual_tree(std::uint32_t root, std::uint32_t entry,
-                      const std::vector<bool>& in_forest,
+  void grow_dual_tree(std::uint32_t root, const std::vector<bool>& in_forest,
                       DualForest& forest) const;
   void label_edges(const std::vector<bool>& in_forest);
   std::uint32_t across(std::uint32_t face, std::uint32_t edge) const {
@@ -87,11 +102,12 @@ class EssentialLoops {
                                       begin_[index(v) + 1] - begin_[index(v)]);
   }
   bool is_labelled(std::uint32_t edge) const;
-  std::vector<bool> labelled_ends() const;
-  std::vector<bool> widened(std::vector<bool> vertices, unsigned n_edges) const;
-  std::vector<Loop> all_shortest(unsigned max_edges);
-  std::vector<Loop> shortest_through(const std::vector<bool>& starts,
+  std::vector<VertexId> labelled_ends() const;
+  std::vector<VertexId> widened(std::span<const VertexId> vertices,
+                                unsigned n_edges) const;
+  std::vector<Loop> shortest_through(std::span<const VertexId> starts,
                                      unsigned max_edges);
+  Found sort_out(std::vector<Loop> loops);
   Loop shortest_through(VertexId start, unsigned max_edges);
   void walk(VertexId start, unsigned max_depth);
   std::vector<Word> label_of_loop(std::size_t a, std::size_t b,
@@ -99,9 +115,18 @@ class EssentialLoops {
   bool is_essential(std::size_t a, std::size_t b, std::uint32_t edge) const;
   bool go_round_tube(std::span<const Loop> loops);
 
+  std::size_t n_faces() const {
+    return edges_of_triangle_.size() + edges_of_piece_.size();
+  }
+  std::span<const std::uint32_t> edges_of(std::uint32_t face) const {
+    if (face < edges_of_triangle_.size()) return edges_of_triangle_[face];
+    return edges_of_piece_[face - edges_of_triangle_.size()];
+  }
+
   std::vector<Edge> edges_;
-  bool has_boundary_ = false;
-  std::vector<std::array<std::uint32_t, 3>> edges_of_face_;
+  // Faces are the triangles, then the pieces beyond the boundary.
+  std::vector<std::array<std::uint32_t, 3>> edges_of_triangle_;
+  std::vector<std::vector<std::uint32_t>> edges_of_piece_;
   std::vector<Spoke> spokes_;
   std::vector<std::size_t> begin_;
   std::size_t n_generators_ = 0;

@@ -61,22 +61,17 @@ class Relations {
         triangulation_(frame.triangulation()),
         sets_(triangulation_.cells().size()) {}
 
-  void relate_beyond_hull() {
-    const std::size_t first = triangulation_.n_finite_cells();
-    for (std::size_t c = first; c < triangulation_.cells().size(); ++c)
-      sets_.relate(first, c, 0);
-  }
-
+  /// The order matters only if some contradict each other, which takes a walk
+  /// about an edge, say, that crosses kept triangles alone.
   void relate_across_kept(std::span<const LocatedTriangle> kept) {
-    std::vector<WeighedFacet> walls;
-    walls.reserve(kept.size());
-    for (const LocatedTriangle& t : kept)
-      walls.push_back({frame_.badness(t.facet), t.facet});
-    std::stable_sort(walls.begin(), walls.end(),
-                     [](const WeighedFacet& a, const WeighedFacet& b) {
-                       return a.badness < b.badness;
-                     });
-    for (const WeighedFacet& wall : walls) relate(wall.facet, 1);
+    relate_beyond_hull();
+    const bool agree = std::all_of(
+        kept.begin(), kept.end(),
+        [this](const LocatedTriangle& t) { return relate(t.facet, 1); });
+    if (agree) return;
+    sets_ = ParitySets(triangulation_.cells().size());
+    relate_beyond_hull();
+    relate_best_first(kept);
   }
 
   /// Closed triangles; the open ones wait.
@@ -107,10 +102,29 @@ class Relations {
   }
 
  private:
-  void relate(Facet f, std::uint32_t parity) {
+  void relate_beyond_hull() {
+    const std::size_t first = triangulation_.n_finite_cells();
+    for (std::size_t c = first; c < triangulation_.cells().size(); ++c)
+      sets_.relate(first, c, 0);
+  }
+
+  void relate_best_first(std::span<const LocatedTriangle> kept) {
+    std::vector<WeighedFacet> walls;
+    walls.reserve(kept.size());
+    for (const LocatedTriangle& t : kept)
+      walls.push_back({frame_.badness(t.facet), t.facet});
+    std::stable_sort(walls.begin(), walls.end(),
+                     [](const WeighedFacet& a, const WeighedFacet& b) {
+                       return a.badness < b.badness;
+                     });
+    for (const WeighedFacet& wall : walls) relate(wall.facet, 1);
+  }
+
+  /// @return whether that agrees with what was said before
+  bool relate(Facet f, std::uint32_t parity) {
     const CellId beyond =
         triangulation_.cell(f.cell()).neighbor[f.index()].cell();
-    sets_.relate(index(f.cell()), index(beyond), parity);
+    return sets_.relate(index(f.cell()), index(beyond), parity);
   }
 
   const LabelFrame& frame_;
@@ -125,7 +139,6 @@ void label_worst_first(const LabelFrame& frame,
                        std::span<const LocatedTriangle> kept,
                        Labelling& labels) {
   Relations relations(frame);
-  relations.relate_beyond_hull();
   relations.relate_across_kept(kept);
   relations.relate_across_others();
   relations.relate_across_open();

@@ -39,13 +39,11 @@ LabelMending::LabelMending(LabelFrame& frame, Labelling& labels)
       slot_(labels.triangulation().cells().size()) {}
 
 std::size_t LabelMending::run() {
-  std::size_t n_faulty = 0;
-  for (std::uint32_t v = 0; v < faults_.size(); ++v) {
-    labels_.find_parts(VertexId{v}, parts_);
-    faults_[v] = static_cast<std::uint32_t>(parts_.n_faults());
-    if (faults_[v] == 0) continue;
-    ++n_faulty;
-    faulty_.push(VertexId{v});
+  const std::vector<VertexId> faulty = labels_.faulty_vertices();
+  for (const VertexId v : faulty) {
+    labels_.find_parts(v, parts_);
+    faults_[index(v)] = static_cast<std::uint32_t>(parts_.n_faults());
+    faulty_.push(v);
   }
   while (!faulty_.empty() || !stuck_.empty()) {
     auto& queue = faulty_.empty() ? stuck_ : faulty_;
@@ -58,7 +56,7 @@ std::size_t LabelMending::run() {
     else if (!improve(v))
       stuck_.push(v);
   }
-  return n_faulty;
+  return faulty.size();
 }
 
 bool LabelMending::improve(VertexId v) {

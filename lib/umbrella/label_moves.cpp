@@ -209,7 +209,8 @@ std::size_t LabelMoves::exchange() {
   for (auto c =
            static_cast<std::uint32_t>(labels_.triangulation().n_finite_cells());
        c-- > 0;)
-    if (std::popcount(labels_.surface_facets(CellId{c})) == 2)
+    if (frame_.is_open(CellId{c}) &&
+        std::popcount(labels_.surface_facets(CellId{c})) == 2)
       work.push_back(CellId{c});
   std::size_t n = 0;
   while (!work.empty()) {

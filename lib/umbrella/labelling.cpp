@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "umbrella/incidence_internal.h"
 #include "umbrella/labelling_internal.h"
 
 namespace umbrella {
@@ -100,18 +101,73 @@ bool Labelling::is_edge_used(CellId c, unsigned i, unsigned k) const {
   return false;
 }
 
-std::vector<LocatedTriangle> Labelling::surface() const {
-  std::vector<LocatedTriangle> result;
+/// Calls visit(facet) for each triangle, by the lower of its cells.
+template <class Visit>
+void Labelling::for_each_on_surface(Visit visit) const {
   for (std::uint32_t c = 0; c < triangulation_.n_finite_cells(); ++c)
     for (unsigned i = 0; i < 4; ++i) {
       const Facet facet(CellId{c}, i);
       if (is_on_surface(facet) && c < index(cell(CellId{c}).neighbor[i].cell()))
-        result.push_back({corners(triangulation_, facet), facet});
+        visit(facet);
     }
+}
+
+std::vector<LocatedTriangle> Labelling::surface() const {
+  std::vector<LocatedTriangle> result;
+  for_each_on_surface([&](Facet facet) {
+    result.push_back({corners(triangulation_, facet), facet});
+  });
   std::sort(result.begin(), result.end(),
             [](const LocatedTriangle& a, const LocatedTriangle& b) {
               return a.corners < b.corners;
             });
+  return result;
+}
+
+namespace {
+
+/// Few edges, or false.
+bool are_one_cycle(std::vector<LinkEdge>& edges) {
+  constexpr std::size_t kMany = 32;  // time goes with the square
+  if (edges.size() > kMany) return false;
+  const VertexId start = edges.front()[0];
+  VertexId at = edges.front()[1];
+  for (auto rest = edges.begin() + 1; rest != edges.end(); ++rest) {
+    const auto goes_on = [at](const LinkEdge& e) {
+      return e[0] == at || e[1] == at;
+    };
+    const auto next = std::find_if(rest, edges.end(), goes_on);
+    if (at == start || next == edges.end() ||
+        std::any_of(next + 1, edges.end(), goes_on))
+      return false;
+    std::swap(*rest, *next);
+    at = (*rest)[0] == at ? (*rest)[1] : (*rest)[0];
+  }
+  return at == start;
+}
+
+}  // namespace
+
+/// The triangles of the surface are few, and tell most often: if their edges
+/// opposite the vertex are one cycle, it parts the star in two. So are none.
+std::vector<VertexId> Labelling::faulty_vertices() {
+  std::vector<Triangle> surface;
+  for_each_on_surface(
+      [&](Facet facet) { surface.push_back(corners(triangulation_, facet)); });
+  const Incidence incidence(n_triangles_.size(), surface.size(),
+                            [&](TriangleIndex t) { return surface[t]; });
+  std::vector<VertexId> result;
+  std::vector<LinkEdge> edges;
+  StarParts parts;
+  for (std::uint32_t i = 0; i < n_triangles_.size(); ++i) {
+    const VertexId v{i};
+    edges.clear();
+    for (const TriangleIndex t : incidence.at(v))
+      edges.push_back(opposite_edge(surface[t], v));
+    if (edges.empty() || are_one_cycle(edges)) continue;
+    find_parts(v, parts);
+    if (parts.n_faults() > 0) result.push_back(v);
+  }
   return result;
 }
 

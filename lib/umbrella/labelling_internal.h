@@ -76,6 +76,9 @@ class Labelling {
   /// The star of a vertex, into `parts`.
   void find_parts(VertexId v, StarParts& parts);
 
+  /// All vertices with faults, ascending.
+  std::vector<VertexId> faulty_vertices();
+
   /// Whether a triangle of the surface has the edge between corners i and k.
   bool is_edge_used(delaunay::CellId c, unsigned i, unsigned k) const;
 
@@ -83,6 +86,9 @@ class Labelling {
   std::vector<LocatedTriangle> surface() const;
 
  private:
+  template <class Visit>
+  void for_each_on_surface(Visit visit) const;
+
   const delaunay::Triangulation3& triangulation_;
   std::vector<std::uint8_t> is_inside_;
   std::vector<std::uint32_t> n_triangles_;  // by vertex

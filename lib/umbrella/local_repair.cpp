@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "umbrella/disjoint_sets_internal.h"
-#include "umbrella/essential_loops_internal.h"
+#include "umbrella/handle_loops_internal.h"
 #include "umbrella/local_repair_internal.h"
 #include "umbrella/region_solver_internal.h"
 
@@ -35,19 +35,18 @@ std::vector<RankedTriangle> with_ranks(
   return result;
 }
 
-/// Counts what triangles make of the points.
+/// What triangles make of the points.
 class Census {
  public:
-  explicit Census(std::size_t n_vertices)
-      : sets_(n_vertices), is_used_(n_vertices) {}
-
-  void add(const Triangle& t) {
-    for (const VertexId v : t) {
-      is_used_[index(v)] = true;
-      sets_.unite(index(t[0]), index(v));
-    }
-    ++n_triangles_;
+  Census(std::size_t n_vertices, std::span<const LocatedTriangle> triangles)
+      : sets_(n_vertices), is_used_(n_vertices) {
+    for (const auto& [t, facet] : triangles)
+      for (const VertexId v : t) {
+        is_used_[index(v)] = true;
+        sets_.unite(index(t[0]), index(v));
+      }
   }
+
   std::vector<VertexId> unused() const {
     std::vector<VertexId> result;
     for (std::uint32_t v = 0; v < is_used_.size(); ++v)
@@ -60,7 +59,6 @@ class Census {
       n += is_used_[v] && sets_.root(v) == v ? 1 : 0;
     return n;
   }
-  std::size_t n_vertices() const { return is_used_.size(); }
   /// The vertices of each component, ascending.
   std::vector<std::vector<VertexId>> components() {
     std::vector<std::vector<VertexId>> of_root(is_used_.size());
@@ -69,30 +67,19 @@ class Census {
     std::erase_if(of_root, [](const auto& part) { return part.empty(); });
     return of_root;
   }
-  /// If each edge has two triangles.
-  bool has_handles() {
-    const auto n_used = static_cast<std::size_t>(
-        std::count(is_used_.begin(), is_used_.end(), true));
-    return n_used < 2 * n_components() + n_triangles_ / 2;
-  }
 
  private:
   DisjointSets sets_;
   std::vector<bool> is_used_;
-  std::size_t n_triangles_ = 0;
 };
 
-using Loops = std::vector<std::vector<VertexId>>;
-
-/// Those of at most so many edges that go round a handle and no tube.
-Loops short_loops(std::size_t n_vertices,
-                  std::span<const LocatedTriangle> triangles,
-                  unsigned max_edges) {
-  std::vector<Triangle> corners(triangles.size());
-  std::transform(triangles.begin(), triangles.end(), corners.begin(),
-                 [](const LocatedTriangle& t) { return t.corners; });
-  return EssentialLoops(n_vertices, corners).shortest_round_no_tube(max_edges);
+/// Of a surface on which each edge has two triangles.
+bool has_handles(std::size_t n_vertices, std::size_t n_triangles,
+                 std::size_t n_components) {
+  return n_vertices < 2 * n_components + n_triangles / 2;
 }
+
+using Loops = HandleLoops::Loops;
 
 class Repair {
  public:
@@ -109,13 +96,15 @@ class Repair {
                 2 * (options.propagations + options.propagations_per_vertex *
                                                 triangulation.points().size())},
         is_changed_(triangulation.points().size()),
-        census_(std::move(census)),
-        n_components_(census_.n_components()) {}
+        at_first_(std::move(census)),
+        left_out_(at_first_.unused()),
+        n_triangles_(triangles.size()),
+        n_components_(at_first_.n_components()) {}
 
   std::size_t join_pieces();
   std::size_t bring_in();
-  std::size_t remove_handles(Loops loops);
-  std::vector<VertexId> left_out() const { return census_.unused(); }
+  std::size_t remove_handles(HandleLoops& search, Loops loops);
+  const std::vector<VertexId>& left_out() const { return left_out_; }
   std::vector<LocatedTriangle> triangles() const { return surface_.sorted(); }
 
  private:
@@ -127,7 +116,10 @@ class Repair {
   bool attempt(const Region& region, const AttemptOptions& how,
                std::size_t most_components);
   Vertices ringed(std::span<const VertexId> vertices) const;
-  Census census_with(const Attempt& solved) const;
+  bool has_handles() const {
+    return umbrella::has_handles(surface_.n_vertices() - left_out_.size(),
+                                 n_triangles_, n_components_);
+  }
   void accept(const Attempt& solved);
   bool is_over() const { return effort_.is_spent() || solver_.is_stopped(); }
 
@@ -137,11 +129,15 @@ class Repair {
   std::vector<bool> is_open_;  // none
   PointGroups groups_;
   RegionSolver solver_;
-  Effort effort_;  // for all that is tried
-  std::vector<bool> is_changed_;
-  Census census_;  // of the surface as it is
-  std::size_t n_components_;
+  Effort effort_;                 // for all that is tried
+  std::vector<bool> is_changed_;  // by vertex, since loops were looked for
+  Vertices changed_;              // where that is so, perhaps more than once
   std::set<Vertices> tried_;
+  Census at_first_;
+  // Of the surface as it is.
+  Vertices left_out_;  // ascending
+  std::size_t n_triangles_;
+  std::size_t n_components_;
 };
 
 /// With the rest of the surface, of which it is a small part.
@@ -156,12 +152,12 @@ bool Repair::hangs_together(const Vertices& piece) {
 std::size_t Repair::join_pieces() {
   const std::size_t n_before = n_components_;
   if (n_components_ == 1) return 0;
-  for (const Vertices& piece : census_.components()) {
+  for (const Vertices& piece : at_first_.components()) {
     if (n_components_ == 1 || is_over()) break;
     if (!hangs_together(piece)) continue;
     Region region;
     region.vertices = solver_.neighborhoods().ring(piece);
-    attempt(region, {.may_drop = left_out()}, n_components_ - 1);
+    attempt(region, {.may_drop = left_out_}, n_components_ - 1);
   }
   return n_before - n_components_;
 }
@@ -169,39 +165,40 @@ std::size_t Repair::join_pieces() {
 /// @return how many points came to the surface
 std::size_t Repair::bring_in() {
   constexpr int kRings = 3;
-  const Vertices missing = left_out();
+  const Vertices missing = left_out_;
   for (const VertexId v : missing) {
     Region region;
     region.vertices = {v};
     for (int ring = 0; ring < kRings && !surface_.is_used(v) && !is_over();
          ++ring) {
       region.vertices = solver_.neighborhoods().ring(region.vertices);
-      Vertices others = left_out();
+      Vertices others = left_out_;
       std::erase(others, v);
       attempt(region, {.may_drop = others}, n_components_);
     }
   }
-  return missing.size() - left_out().size();
+  return missing.size() - left_out_.size();
 }
 
-/// @param loops  those of the surface as it is; none if nobody has looked
-std::size_t Repair::remove_handles(Loops loops) {
+/// @param loops  what the search has found on the surface as it is; none if it
+///   has not looked
+std::size_t Repair::remove_handles(HandleLoops& search, Loops loops) {
+  if (loops.empty() && !is_over() && has_handles())
+    loops = search.all(surface_.n_vertices(), triangles());
   std::size_t n_removed = 0;
-  while (!is_over() && census_.has_handles()) {
-    if (loops.empty())
-      loops = short_loops(surface_.n_vertices(), triangles(),
-                          options_.handle_edges);
+  while (!is_over() && has_handles()) {
     const std::size_t n = remove_some_handles(loops);
     if (n == 0) break;
     n_removed += n;
-    loops.clear();
+    loops = search.about(surface_, changed_);
   }
   return n_removed;
 }
 
 /// Tries each loop once, but for those that a removal has changed.
 std::size_t Repair::remove_some_handles(const Loops& loops) {
-  is_changed_.assign(is_changed_.size(), false);
+  for (const VertexId v : changed_) is_changed_[index(v)] = false;
+  changed_.clear();
   std::size_t n_removed = 0;
   for (const Vertices& loop : loops) {
     const bool has_changed =
@@ -221,7 +218,9 @@ bool Repair::remove_handle_at(const Vertices& loop) {
   region.vertices = loop;
   for (int ring = 0; ring < kRings; ++ring) {
     region.vertices = ringed(region.vertices);
-    if (attempt(region, {.fewer_triangles = kTrianglesOfHandle}, n_components_))
+    if (attempt(region,
+                {.fewer_triangles = kTrianglesOfHandle, .is_likely = false},
+                n_components_))
       return true;
   }
   return false;
@@ -237,11 +236,10 @@ bool Repair::attempt(const Region& region, const AttemptOptions& how,
   effort_.charge(before.conflicts - effort.conflicts,
                  before.propagations - effort.propagations);
   if (attempt.outcome != Outcome::Solved) return false;
-  Census census = census_with(attempt);
-  const std::size_t n_components = census.n_components();
+  const std::size_t n_components =
+      n_components_ + solver_.n_pieces_added(attempt);
   if (n_components > most_components) return false;
   accept(attempt);
-  census_ = std::move(census);
   n_components_ = n_components;
   return true;
 }
@@ -259,20 +257,15 @@ std::vector<VertexId> Repair::ringed(std::span<const VertexId> vertices) const {
   return result;
 }
 
-Census Repair::census_with(const Attempt& solved) const {
-  std::vector<bool> is_freed(surface_.n_indices());
-  for (const TriangleIndex t : solved.freed) is_freed[t] = true;
-  Census census(surface_.n_vertices());
-  for (TriangleIndex t = 0; t < surface_.n_indices(); ++t)
-    if (surface_.contains(t) && !is_freed[t]) census.add(surface_.corners(t));
-  for (const LocatedTriangle& t : solved.chosen) census.add(t.corners);
-  return census;
-}
-
 void Repair::accept(const Attempt& solved) {
   for (const TriangleIndex t : solved.freed) surface_.remove(t);
   for (const LocatedTriangle& t : solved.chosen) surface_.add(t);
-  for (const VertexId v : solved.vertices) is_changed_[index(v)] = true;
+  for (const VertexId v : solved.vertices) {
+    is_changed_[index(v)] = true;
+    changed_.push_back(v);
+  }
+  n_triangles_ += solved.chosen.size() - solved.freed.size();
+  std::erase_if(left_out_, [this](VertexId v) { return surface_.is_used(v); });
 }
 
 }  // namespace
@@ -280,14 +273,17 @@ void Repair::accept(const Attempt& solved) {
 LocalRepair repair_locally(const delaunay::Triangulation3& triangulation,
                            const ClosingOptions& options,
                            std::vector<LocatedTriangle>& triangles) {
-  Census census(triangulation.points().size());
-  for (const LocatedTriangle& t : triangles) census.add(t.corners);
+  const std::size_t n_vertices = triangulation.points().size();
+  Census census(n_vertices, triangles);
   LocalRepair result;
   result.left_out = census.unused();
+  HandleLoops search(options.handle_edges);
   Loops loops;
   if (census.n_components() == 1 && result.left_out.empty()) {
-    if (options.handle_edges == 0 || !census.has_handles()) return result;
-    loops = short_loops(census.n_vertices(), triangles, options.handle_edges);
+    if (options.handle_edges == 0 ||
+        !has_handles(n_vertices, triangles.size(), 1))
+      return result;
+    loops = search.all(n_vertices, triangles);
     if (loops.empty()) return result;
   }
   const std::vector<RankedTriangle> ranked = with_ranks(triangles);
@@ -295,7 +291,7 @@ LocalRepair repair_locally(const delaunay::Triangulation3& triangulation,
   result.pieces_joined = repair.join_pieces();
   result.brought_in = repair.bring_in();
   if (options.handle_edges > 0)
-    result.handles_removed = repair.remove_handles(std::move(loops));
+    result.handles_removed = repair.remove_handles(search, std::move(loops));
   result.left_out = repair.left_out();
   triangles = repair.triangles();
   return result;

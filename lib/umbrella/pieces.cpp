@@ -4,10 +4,9 @@
 #include "umbrella/pieces_internal.h"
 
 namespace umbrella {
-namespace {
 
 /// Walks that may meet each other, by their steps.
-class Walks {
+class PieceFinder::Walks {
  public:
   /// A step not yet done, the first of a walk.
   std::uint32_t add() {
@@ -23,51 +22,113 @@ class Walks {
     n_going_ -= n_open_[a] > 0 && n_open_[b] > 0 ? 1 : 0;
     n_open_[sets_.root(a)] = n_open_[a] + n_open_[b];
   }
-  void finish_step(std::uint32_t i) {
-    if (--n_open_[sets_.root(i)] == 0) --n_going_;
+  /// The first that is not yet done.
+  void finish_step() {
+    if (--n_open_[sets_.root(n_done_++)] > 0) return;
+    --n_going_;
+    ++n_ended_;
   }
+  std::uint32_t n_done() const { return n_done_; }
   /// Walks with steps not yet done.
   std::size_t n_going() const { return n_going_; }
+  /// Those that have none left. None of the others can meet them.
+  std::size_t n_ended() const { return n_ended_; }
   bool is_going(std::uint32_t i) { return n_open_[sets_.root(i)] > 0; }
 
  private:
   DisjointSets sets_{0};
   std::vector<std::uint32_t> n_open_;  // by root
+  std::uint32_t n_done_ = 0;           // steps
   std::size_t n_going_ = 0;
+  std::size_t n_ended_ = 0;
 };
-
-}  // namespace
 
 std::vector<Piece> PieceFinder::find(const Change& change,
                                      const std::vector<bool>& is_open) {
-  const auto& [freed, chosen, vertices] = change;
   if (is_in_patch_.empty()) find_large_patches(is_open);
-  is_freed_.resize(surface_.n_indices());
-  for (const TriangleIndex t : freed) is_freed_[t] = true;
-  corners_.clear();
-  for (std::uint32_t t = 0; t < chosen.size(); ++t)
-    for (const VertexId v : chosen[t].corners) corners_.push_back({v, t});
-  std::sort(corners_.begin(), corners_.end(),
-            [](const Corner& a, const Corner& b) {
-              return a.vertex != b.vertex ? a.vertex < b.vertex
-                                          : a.triangle < b.triangle;
-            });
-
+  mark(change);
   doubt_patches(change);
   std::vector<Piece> pieces;
   n_pieces_ = kLarge;
-  for (const LocatedTriangle& t : chosen) {
+  has_waited_ = false;
+  for (const LocatedTriangle& t : change.chosen) {
     const VertexId start = t.corners[0];
     if (piece_of_[index(start)] != kNotReached) continue;
     Piece piece;
     if (explore(start, change, is_open, piece)) pieces.push_back(piece);
   }
   forget_reached();
-  for (const TriangleIndex t : freed) is_freed_[t] = false;
-  for (const VertexId v : doubted_) is_in_patch_[index(v)] = true;
+  unmark(change);
+  for (const VertexId v : doubted_) is_in_patch_[index(v)] = 1;
   doubted_.clear();
   uses_patches_ = true;
   return pieces;
+}
+
+void PieceFinder::mark(const Change& change) {
+  is_freed_.resize(surface_.n_indices());
+  for (const TriangleIndex t : change.freed) is_freed_[t] = true;
+  for (std::uint32_t t = 0; t < change.chosen.size(); ++t)
+    for (const VertexId v : change.chosen[t].corners)
+      corners_.push_back({v, t});
+  std::sort(corners_.begin(), corners_.end(),
+            [](const Corner& a, const Corner& b) {
+              return a.vertex != b.vertex ? a.vertex < b.vertex
+                                          : a.triangle < b.triangle;
+            });
+}
+
+void PieceFinder::unmark(const Change& change) {
+  for (const TriangleIndex t : change.freed) is_freed_[t] = false;
+  corners_.clear();
+}
+
+std::ptrdiff_t PieceFinder::n_pieces_added(const Change& change) {
+  is_freed_.resize(surface_.n_indices());
+  const std::size_t n_before = n_pieces_at(change.vertices, {});
+  mark(change);
+  const std::size_t n_after = n_pieces_at(change.vertices, change);
+  unmark(change);
+  return static_cast<std::ptrdiff_t>(n_after) -
+         static_cast<std::ptrdiff_t>(n_before);
+}
+
+/// All walks but one come to an end, or meet another one.
+std::size_t PieceFinder::n_pieces_at(std::span<const VertexId> vertices,
+                                     const Change& change) {
+  Walks walks;
+  (void)walk(vertices, change, surface_.n_vertices(), walks);
+  forget_reached();
+  return walks.n_ended() + walks.n_going();
+}
+
+/// From all of these at once, in turn, until one walk is left or so many
+/// vertices are done; these are the first in reached_.
+/// @return how many triangles have their first corner there
+std::size_t PieceFinder::walk(std::span<const VertexId> starts,
+                              const Change& change, std::size_t most,
+                              Walks& walks) {
+  const auto enter = [&](VertexId v) {
+    std::uint32_t& step = piece_of_[index(v)];
+    if (step == kNotReached) {
+      reached_.push_back(v);
+      step = walks.add() + 1;
+    }
+    return step - 1;
+  };
+  for (const VertexId v : starts)
+    if (is_used(v, change)) enter(v);
+  std::size_t n_triangles = 0;
+  while (walks.n_going() > 1 && walks.n_done() < most) {
+    const std::uint32_t i = walks.n_done();
+    const VertexId v = reached_[i];
+    for_each_at(v, change, [&](const Triangle& t) {
+      for (const VertexId corner : t) walks.join(i, enter(corner));
+      n_triangles += t[0] == v ? 1 : 0;
+    });
+    walks.finish_step();
+  }
+  return n_triangles;
 }
 
 void PieceFinder::forget_reached() {
@@ -78,11 +139,12 @@ void PieceFinder::forget_reached() {
 void PieceFinder::find_large_patches(const std::vector<bool>& is_open) {
   const std::size_t n = surface_.n_vertices();
   DisjointSets sets(n);
+  const std::vector<std::uint8_t> waits(is_open.begin(), is_open.end());
   std::vector<std::uint32_t> n_triangles(n);  // at the corner, then in the set
   for (TriangleIndex t = 0; t < surface_.n_indices(); ++t) {
     const auto& [a, b, c] = surface_.corners(t);
-    if (!surface_.contains(t) || is_open[index(a)] || is_open[index(b)] ||
-        is_open[index(c)])
+    if (!surface_.contains(t) ||
+        (waits[index(a)] | waits[index(b)] | waits[index(c)]) != 0)
       continue;
     sets.unite(index(a), index(b));
     sets.unite(index(a), index(c));
@@ -93,8 +155,8 @@ void PieceFinder::find_large_patches(const std::vector<bool>& is_open) {
   n_spare_ = surface_.n_indices();
   for (std::size_t v = 0; v < n; ++v) {
     const std::uint32_t root = sets.root(v);
-    is_in_patch_[v] = n_triangles[root] > limit_;
-    if (root != v || !is_in_patch_[v]) continue;
+    is_in_patch_[v] = n_triangles[root] > limit_ ? 1 : 0;
+    if (root != v || n_triangles[v] <= limit_) continue;
     ++n_patches_;
     n_spare_ = std::min(n_spare_, n_triangles[v] - limit_);
   }
@@ -103,7 +165,7 @@ void PieceFinder::find_large_patches(const std::vector<bool>& is_open) {
 /// If the change that may have torn one was made.
 void PieceFinder::drop_torn_patches() {
   if (doubtful_ && !surface_.contains(*doubtful_)) {
-    is_in_patch_.assign(surface_.n_vertices(), false);
+    is_in_patch_.assign(surface_.n_vertices(), 0);
     n_patches_ = 0;
   }
 }
@@ -116,7 +178,7 @@ void PieceFinder::doubt_patches(const Change& change) {
   doubtful_.reset();
   const bool touches_patch =
       std::any_of(freed.begin(), freed.end(), [this](TriangleIndex t) {
-        return is_in_patch_[index(surface_.corners(t)[0])];
+        return is_in_patch_[index(surface_.corners(t)[0])] != 0;
       });
   if (!touches_patch) return;
   is_patch_touched_ = true;
@@ -124,8 +186,8 @@ void PieceFinder::doubt_patches(const Change& change) {
   const std::size_t n_lost = freed.size() + tear.n_triangles;
   uses_patches_ = tear.is_certain && n_lost < n_spare_;
   for (const VertexId v : tear.cut_off)
-    if (is_in_patch_[index(v)]) {
-      is_in_patch_[index(v)] = false;
+    if (is_in_patch_[index(v)] != 0) {
+      is_in_patch_[index(v)] = 0;
       doubted_.push_back(v);
     }
   if (uses_patches_) n_spare_ -= freed.size();
@@ -137,31 +199,16 @@ void PieceFinder::doubt_patches(const Change& change) {
 /// met another one, that is where the rest of it is.
 PieceFinder::Tear PieceFinder::look_for_tear(const Change& change) {
   const std::size_t most = 64 + 16 * change.freed.size();  // vertices
-  Walks walks;
-  const auto enter = [&](VertexId v) {
-    std::uint32_t& step = piece_of_[index(v)];
-    if (step == kNotReached) {
-      reached_.push_back(v);
-      step = walks.add() + 1;
-    }
-    return step - 1;
-  };
+  std::vector<VertexId> corners;
   for (const TriangleIndex t : change.freed)
-    for (const VertexId v : surface_.corners(t))
-      if (is_used(v, change)) enter(v);
+    corners.insert(corners.end(), surface_.corners(t).begin(),
+                   surface_.corners(t).end());
+  Walks walks;
   Tear tear;
-  std::uint32_t i = 0;
-  for (; walks.n_going() > 1 && i < most; ++i) {
-    const VertexId v = reached_[i];
-    for_each_at(v, change, [&](const Triangle& t) {
-      for (const VertexId corner : t) walks.join(i, enter(corner));
-      tear.n_triangles += t[0] == v ? 1 : 0;
-    });
-    walks.finish_step(i);
-  }
+  tear.n_triangles = walk(corners, change, most, walks);
   tear.is_certain = walks.n_going() <= 1;
-  for (std::uint32_t k = 0; k < i; ++k)
-    if (!walks.is_going(k)) tear.cut_off.push_back(reached_[k]);
+  for (std::uint32_t i = 0; i < walks.n_done(); ++i)
+    if (!walks.is_going(i)) tear.cut_off.push_back(reached_[i]);
   forget_reached();
   return tear;
 }
@@ -172,7 +219,7 @@ bool PieceFinder::is_one_piece() {
   const std::size_t n = surface_.n_vertices();
   DisjointSets sets(n + 1);  // the last one: vertices of the patch
   const auto place = [&](VertexId v) {
-    return is_in_patch_[index(v)] ? n : index(v);
+    return is_in_patch_[index(v)] != 0 ? n : index(v);
   };
   const auto join = [&](TriangleIndex t) {
     const auto& [a, b, c] = surface_.corners(t);
@@ -180,11 +227,12 @@ bool PieceFinder::is_one_piece() {
     sets.unite(place(a), place(c));
   };
   for (std::uint32_t v = 0; v < n; ++v)
-    if (!is_in_patch_[v]) surface_.for_each_at(VertexId{v}, join);
+    if (is_in_patch_[v] == 0) surface_.for_each_at(VertexId{v}, join);
   const std::uint32_t root = sets.root(n);
   for (std::uint32_t v = 0; v < n; ++v)
-    if (is_in_patch_[v] ? is_patch_touched_ && !surface_.is_used(VertexId{v})
-                        : sets.root(v) != root)
+    if (is_in_patch_[v] != 0
+            ? is_patch_touched_ && !surface_.is_used(VertexId{v})
+            : sets.root(v) != root)
       return false;
   return true;
 }
@@ -225,7 +273,8 @@ bool PieceFinder::explore(VertexId start, const Change& change,
         is_open[index(v)] &&
         !std::binary_search(change.vertices.begin(), change.vertices.end(), v);
     is_large = is_large || known == kLarge || waits ||
-               (uses_patches_ && is_in_patch_[index(v)]);
+               (uses_patches_ && is_in_patch_[index(v)] != 0);
+    has_waited_ = has_waited_ || waits;
     if (known != kNotReached) return;
     known = name;
     reached_.push_back(v);

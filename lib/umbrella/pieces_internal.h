@@ -44,6 +44,15 @@ class PieceFinder {
   std::vector<Piece> find(const Change& change,
                           const std::vector<bool>& is_open);
 
+  /// Whether some piece of the last call of find() was left out because of an
+  /// open vertex. If not, the same call finds the same, whatever becomes of the
+  /// open vertices.
+  bool has_waited() const { return has_waited_; }
+
+  /// By how many pieces the changed surface would have more than the surface
+  /// as it is.
+  std::ptrdiff_t n_pieces_added(const Change& change);
+
   /// Whether the surface as it is has one piece and goes through all vertices.
   /// May be false as well where it takes a look at all of it to tell.
   ///
@@ -54,6 +63,8 @@ class PieceFinder {
  private:
   static constexpr std::uint32_t kNotReached = 0;
   static constexpr std::uint32_t kLarge = 1;  // pieces are counted from here
+
+  class Walks;
 
   struct Corner {
     VertexId vertex;
@@ -67,6 +78,12 @@ class PieceFinder {
     std::size_t n_triangles = 0;    // at least as many as these have
   };
 
+  void mark(const Change& change);
+  void unmark(const Change& change);
+  std::size_t n_pieces_at(std::span<const VertexId> vertices,
+                          const Change& change);
+  std::size_t walk(std::span<const VertexId> starts, const Change& change,
+                   std::size_t most, Walks& walks);
   void find_large_patches(const std::vector<bool>& is_open);
   void drop_torn_patches();
   void doubt_patches(const Change& change);
@@ -87,7 +104,7 @@ class PieceFinder {
   /// Vertices of triangles that hung together in the first call, without an
   /// open corner, and were more than the limit: wherever a walk meets one, its
   /// piece is large.
-  std::vector<bool> is_in_patch_;
+  std::vector<std::uint8_t> is_in_patch_;
   std::size_t n_patches_ = 0;
   std::size_t n_spare_ = 0;   // triangles of the least patch above the limit
   bool uses_patches_ = true;  // in the call at hand
@@ -95,6 +112,7 @@ class PieceFinder {
   std::vector<VertexId> doubted_;  // taken out of patches for the call at hand
   std::optional<TriangleIndex> doubtful_;  // goes if a patch is perhaps torn
   std::uint32_t n_pieces_ = 0;
+  bool has_waited_ = false;
 };
 
 }  // namespace umbrella

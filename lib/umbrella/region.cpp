@@ -13,7 +13,6 @@ namespace {
 using delaunay::Cell;
 using delaunay::CellId;
 using delaunay::Facet;
-using delaunay::kFacetCorners;
 
 // Marks of vertices: sums of them over three corners count both.
 constexpr std::uint8_t kInRegion = 1;
@@ -38,13 +37,16 @@ std::vector<VertexId> united(std::span<const VertexId> a,
 
 std::vector<VertexId> vertices_of(const Region& region,
                                   std::span<const LocatedTriangle> candidates) {
-  std::vector<VertexId> result = region.vertices;
-  if (region.stuck.empty()) return result;
+  if (region.stuck.empty()) return region.vertices;
+  std::vector<VertexId> others;
   for (const LocatedTriangle& c : candidates)
-    result.insert(result.end(), c.corners.begin(), c.corners.end());
-  std::sort(result.begin(), result.end());
-  result.erase(std::unique(result.begin(), result.end()), result.end());
-  return result;
+    for (const VertexId v : c.corners)
+      if (!std::binary_search(region.vertices.begin(), region.vertices.end(),
+                              v))
+        others.push_back(v);
+  std::sort(others.begin(), others.end());
+  others.erase(std::unique(others.begin(), others.end()), others.end());
+  return united(region.vertices, others);
 }
 
 std::vector<Region> merge_holes(std::span<const Hole> holes,
@@ -106,33 +108,45 @@ std::uint32_t CellSet::position(CellId c) const {
 
 /// The finite cells at a vertex hang together by facets there, so it is enough
 /// to go on from one of them.
-void CellSet::collect(std::span<const VertexId> vertices) {
+template <class Visit>
+void CellSet::collect(std::span<const VertexId> vertices, Visit visit) {
   constexpr std::size_t kLeastSlots = 256;  // a power of two
   cells_.clear();
+  from_.clear();
   n_done_ = 0;
   slots_.assign(kLeastSlots, kNone);
   for (const VertexId v : vertices) marks_[index(v)] = Mark::Wanted;
   for (const VertexId v : vertices)
     if (marks_[index(v)] != Mark::Met)
-      if (const auto c = cell_on_surface(v)) enter_all_from(*c);
+      if (const auto c = cell_on_surface(v)) enter_all_from(*c, visit);
   for (const VertexId v : vertices)
-    if (marks_[index(v)] != Mark::Met) enter_all_from(cell_by_walk(v));
+    if (marks_[index(v)] != Mark::Met) enter_all_from(cell_by_walk(v), visit);
   for (const VertexId v : vertices) marks_[index(v)] = Mark::None;
 }
 
-void CellSet::enter_all_from(CellId c) {
-  enter(c);
-  while (n_done_ < cells_.size())
-    enter_neighbors(triangulation_.cell(cells_[n_done_++]));
+void CellSet::collect(std::span<const VertexId> vertices) {
+  collect(vertices, [](CellId, const Cell&) {});
 }
 
-void CellSet::enter(CellId c) {
+/// Each cell is read once: it is far away in memory.
+template <class Visit>
+void CellSet::enter_all_from(CellId c, Visit visit) {
+  enter(c, kNowhere);
+  for (; n_done_ < cells_.size(); ++n_done_) {
+    const Cell& cell = triangulation_.cell(cells_[n_done_]);
+    visit(cells_[n_done_], cell);
+    enter_neighbors(cell, from_[n_done_]);
+  }
+}
+
+void CellSet::enter(CellId c, unsigned from) {
   if (!is_finite(c)) return;
   const std::size_t s = slot(c);
   if (slots_[s] != kNone) return;
   __builtin_prefetch(&triangulation_.cell(c));
   slots_[s] = static_cast<std::uint32_t>(cells_.size());
   cells_.push_back(c);
+  from_.push_back(static_cast<std::uint8_t>(from));
   if (2 * cells_.size() > slots_.size()) widen();
 }
 
@@ -141,8 +155,8 @@ void CellSet::widen() {
   for (std::uint32_t p = 0; p < cells_.size(); ++p) slots_[slot(cells_[p])] = p;
 }
 
-/// Those across a facet with a wanted corner.
-void CellSet::enter_neighbors(const Cell& cell) {
+/// Those across a facet with a wanted corner, but for the one it came from.
+void CellSet::enter_neighbors(const Cell& cell, unsigned from) {
   std::array<bool, 4> is_wanted;
   unsigned n_wanted = 0;
   for (unsigned i = 0; i < 4; ++i) {
@@ -152,7 +166,8 @@ void CellSet::enter_neighbors(const Cell& cell) {
     if (is_wanted[i]) mark = Mark::Met;
   }
   for (unsigned i = 0; i < 4; ++i)
-    if (n_wanted > (is_wanted[i] ? 1U : 0U)) enter(cell.neighbor[i].cell());
+    if (i != from && n_wanted > (is_wanted[i] ? 1U : 0U))
+      enter(cell.neighbor[i].cell(), cell.neighbor[i].index());
 }
 
 std::optional<CellId> CellSet::cell_on_surface(VertexId v) const {
@@ -212,11 +227,8 @@ Neighborhoods::Neighborhoods(const delaunay::Triangulation3& triangulation,
 std::vector<LocatedTriangle> Neighborhoods::candidates(const Region& region) {
   for (const VertexId v : region.vertices) mark_[index(v)] |= kInRegion;
   for (const VertexId v : region.stuck) mark_[index(v)] |= kStuck;
-  cells_.collect(united(region.vertices, region.stuck));
-
   std::vector<LocatedTriangle> result;
-  for (const CellId c : cells_.cells()) {
-    const Cell& cell = triangulation_.cell(c);
+  const auto add_facets = [&](CellId c, const Cell& cell) {
     std::array<unsigned, 4> mark;  // of corners
     unsigned sum = 0;
     for (unsigned k = 0; k < 4; ++k)
@@ -224,14 +236,13 @@ std::vector<LocatedTriangle> Neighborhoods::candidates(const Region& region) {
     for (unsigned i = 0; i < 4; ++i) {
       const unsigned marks = sum - mark[i];
       if (marks % kStuck < 3 && marks / kStuck < region.reach) continue;
-      // A candidate has a corner here, so both its cells were collected.
+      // A candidate has a corner here, so both its cells are met.
       if (cell.neighbor[i].cell() < c) continue;
-      Triangle t;
-      for (unsigned k = 0; k < 3; ++k) t[k] = cell.vertex[kFacetCorners[i][k]];
-      std::sort(t.begin(), t.end());
-      result.push_back({t, Facet(c, i)});
+      const Facet facet(c, i);
+      result.push_back({corners(triangulation_, facet), facet});
     }
-  }
+  };
+  cells_.collect(united(region.vertices, region.stuck), add_facets);
   std::sort(result.begin(), result.end(),
             [](const LocatedTriangle& a, const LocatedTriangle& b) {
               return a.corners < b.corners;

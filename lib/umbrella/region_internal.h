@@ -46,6 +46,9 @@ class CellSet {
 
   /// Puts the cells at these vertices in place of those before.
   void collect(std::span<const VertexId> vertices);
+  /// Calls visit(id, cell) for each of them.
+  template <class Visit>
+  void collect(std::span<const VertexId> vertices, Visit visit);
 
   std::span<const delaunay::CellId> cells() const { return cells_; }
   const delaunay::Cell& cell(std::uint32_t position) const {
@@ -69,9 +72,10 @@ class CellSet {
     return index(c) < triangulation_.n_finite_cells();
   }
   std::size_t slot(delaunay::CellId c) const;
-  void enter(delaunay::CellId c);
-  void enter_all_from(delaunay::CellId c);
-  void enter_neighbors(const delaunay::Cell& cell);
+  void enter(delaunay::CellId c, unsigned from);
+  template <class Visit>
+  void enter_all_from(delaunay::CellId c, Visit visit);
+  void enter_neighbors(const delaunay::Cell& cell, unsigned from);
   void widen();
   std::optional<delaunay::CellId> cell_on_surface(VertexId v) const;
   delaunay::CellId cell_by_walk(VertexId v) const;
@@ -80,7 +84,9 @@ class CellSet {
 
   const delaunay::Triangulation3& triangulation_;
   const WorkingSurface& surface_;
+  static constexpr unsigned kNowhere = 4;
   std::vector<delaunay::CellId> cells_;
+  std::vector<std::uint8_t> from_;    // by position: facet that led there
   std::size_t n_done_ = 0;            // whose neighbors were looked at
   std::vector<std::uint32_t> slots_;  // hashed positions in `cells_`
   std::vector<Mark> marks_;           // by vertex, none between calls

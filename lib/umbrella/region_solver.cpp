@@ -64,6 +64,7 @@ RegionSolver::RegionSolver(const delaunay::Triangulation3& triangulation,
       neighborhoods_(triangulation, surface),
       badness_(triangulation, options.weight),
       groups_(groups),
+      numbers_(surface.n_vertices()),
       small_piece_(std::max(options.piece_triangles,
                             part_of(options.piece_part, surface.n_vertices()))),
       piece_finder_(surface,
@@ -71,19 +72,20 @@ RegionSolver::RegionSolver(const delaunay::Triangulation3& triangulation,
                                                    surface.n_vertices()))),
       start_(std::chrono::steady_clock::now()) {}
 
-Attempt RegionSolver::attempt(const Region& region, Effort& effort,
+Attempt RegionSolver::attempt(Proposal proposal, Effort& effort,
                               const AttemptOptions& how) {
-  std::vector<LocatedTriangle> candidates = neighborhoods_.candidates(region);
-  ClosingProgram program(surface_, candidates, vertices_of(region, candidates),
-                         how.may_drop);
+  auto& [region, candidates] = proposal;
+  ClosingProgram program(
+      surface_, {candidates, vertices_of(region, candidates), how.may_drop},
+      numbers_);
   if (how.fewer_triangles > 0) program.demand_fewer(how.fewer_triangles);
   Work work(std::move(candidates), std::move(program));
   work.allowed = how.allowed;
   work.effort = {effort.conflicts / 2, effort.propagations / 2};
-  order_worst_first(work);
-  if (!solve_in_order(work)) {
+  if (!how.is_likely || !solve_in_order(work)) {
     conflicts_ += work.solver.statistics().conflicts;
     add_sides(work);
+    if (work.worst_first.empty() && !is_refuted(work)) order_worst_first(work);
     if (settle_dropped(work, how)) search(work);
   }
   const ilp::Statistics used = work.solver.statistics();
@@ -104,6 +106,8 @@ bool RegionSolver::solve_in_order(Work& work) {
   if (options_.mode == CloseMode::Paper || !work.program.droppable().empty())
     return false;
   make_solver(work);
+  if (is_refuted(work)) return false;
+  order_worst_first(work);
   work.solver.set_priority(work.worst_first);
   work.solver.set_branching(ilp::Branching::Static);
   do {
@@ -124,16 +128,17 @@ bool RegionSolver::solve_in_order(Work& work) {
   return true;
 }
 
-bool RegionSolver::closes_fragment(const Attempt& solved) {
-  if (options_.mode == CloseMode::Paper) return false;
-  const std::vector<Piece> pieces = piece_finder_.find(
-      {solved.freed, solved.chosen, solved.vertices}, is_open_);
-  return std::any_of(pieces.begin(), pieces.end(),
-                     [this](const Piece& piece) { return is_fragment(piece); });
+/// Before any decision.
+bool RegionSolver::is_refuted(Work& work) const {
+  return work.solver.solve({}, {.propagations = 0}) == ilp::Status::Infeasible;
 }
 
-std::vector<VertexId> RegionSolver::vertices(const Region& region) {
-  return vertices_of(region, neighborhoods_.candidates(region));
+bool RegionSolver::closes_fragment(const Attempt& solved) {
+  if (options_.mode == CloseMode::Paper) return false;
+  const std::vector<Piece> pieces =
+      piece_finder_.find(change_of(solved), is_open_);
+  return std::any_of(pieces.begin(), pieces.end(),
+                     [this](const Piece& piece) { return is_fragment(piece); });
 }
 
 /// Starts anew, with a solver that knows inside from outside.
@@ -286,12 +291,12 @@ bool RegionSolver::read_model(Work& work) {
   if (options_.mode == CloseMode::Paper) return true;
 
   bool is_good = true;
-  for (const Piece& piece : piece_finder_.find(
-           {result.freed, result.chosen, result.vertices}, is_open_)) {
+  for (const Piece& piece : piece_finder_.find(change_of(result), is_open_)) {
     if (is_among(piece, work.allowed) || !is_fragment(piece)) continue;
     is_good = false;
     cut(work, piece);
   }
+  result.has_waited = piece_finder_.has_waited();
   return is_good;
 }
 

@@ -2,7 +2,6 @@
 /// One region, one program: the best surface through it, or why there is none.
 #pragma once
 
-#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -11,6 +10,7 @@
 
 #include "delaunay/triangulation3.h"
 #include "ilp/solver.h"
+#include "umbrella/attempt_internal.h"
 #include "umbrella/badness_internal.h"
 #include "umbrella/closing.h"
 #include "umbrella/closing_program_internal.h"
@@ -20,50 +20,6 @@
 #include "umbrella/working_surface_internal.h"
 
 namespace umbrella {
-
-enum class Outcome : std::uint8_t {
-  Solved,
-  Banned,      ///< only with a small closed piece
-  Infeasible,  ///< not at all
-  Undecided    ///< a limit was hit
-};
-
-struct Attempt {
-  Outcome outcome = Outcome::Undecided;
-  std::size_t n_candidates = 0;
-  std::size_t n_variables = 0;
-  /// Candidates of the solution, or of the last one that was banned.
-  std::vector<LocatedTriangle> chosen;
-  std::vector<TriangleIndex> freed;  ///< candidates that stood there before
-  std::vector<VertexId> vertices;    ///< of the program
-  std::vector<VertexId> dropped;     ///< left without triangles
-  std::vector<VertexId> stuck;       ///< of the contradiction, if there is one
-  std::vector<Piece> pieces;         ///< those that were cut off
-};
-
-/// What is left of what the programs of one region may take.
-struct Effort {
-  std::uint64_t conflicts = 0;
-  std::uint64_t propagations = 0;
-
-  bool is_spent() const { return propagations == 0; }
-  void charge(std::uint64_t conflicts_taken, std::uint64_t propagations_taken) {
-    conflicts -= std::min(conflicts, conflicts_taken);
-    propagations -= std::min(propagations, propagations_taken);
-  }
-};
-
-struct AttemptOptions {
-  /// Vertices that may stay bare; ascending.
-  std::span<const VertexId> may_drop = {};
-  /// Whether a solution that leaves some bare is one. If not, all that stand
-  /// in its way are named as stuck.
-  bool accept_drops = true;
-  /// Small closed pieces that may be.
-  std::span<const Piece> allowed = {};
-  /// At least so many triangles fewer than there are.
-  std::size_t fewer_triangles = 0;
-};
 
 class RegionSolver {
  public:
@@ -76,21 +32,33 @@ class RegionSolver {
 
   /// @param effort  half of it may be taken, and is taken off
   Attempt attempt(const Region& region, Effort& effort,
-                  const AttemptOptions& how = {});
+                  const AttemptOptions& how = {}) {
+    return attempt({region, candidates(region)}, effort, how);
+  }
+
+  /// A region with its candidates.
+  struct Proposal {
+    const Region& region;
+    std::vector<LocatedTriangle> candidates;
+  };
+  /// @pre the candidates are the last ones asked for
+  Attempt attempt(Proposal proposal, Effort& effort, const AttemptOptions& how);
+  std::vector<LocatedTriangle> candidates(const Region& region) {
+    return neighborhoods_.candidates(region);
+  }
 
   /// Whether it would close a small piece, on the surface as it is now. May say
-  /// so of a solved attempt once other regions are done with.
+  /// so of a solved attempt that has waited, once other regions are done with.
   bool closes_fragment(const Attempt& solved);
+
+  /// PieceFinder::n_pieces_added, by a solved attempt.
+  std::ptrdiff_t n_pieces_added(const Attempt& solved) {
+    return piece_finder_.n_pieces_added(change_of(solved));
+  }
 
   /// PieceFinder::is_one_piece.
   bool is_one_piece() { return piece_finder_.is_one_piece(); }
 
-  /// All vertices the program of the region would have; ascending.
-  std::vector<VertexId> vertices(const Region& region);
-
-  std::size_t n_candidates(const Region& region) {
-    return neighborhoods_.candidates(region).size();
-  }
   double seconds_left() const;
   bool is_stopped() const { return options_.stop != nullptr && *options_.stop; }
 
@@ -105,7 +73,11 @@ class RegionSolver {
   /// @pre the cells of the candidates are the last ones collected
   void add_sides(Work& work) const;
   void make_solver(Work& work) const;
+  static Change change_of(const Attempt& attempt) {
+    return {attempt.freed, attempt.chosen, attempt.vertices};
+  }
   bool solve_in_order(Work& work);
+  bool is_refuted(Work& work) const;
   void order_worst_first(Work& work) const;
   bool settle_dropped(Work& work, const AttemptOptions& how);
   bool release_stuck(Work& work, std::vector<ilp::Literal>& kept);
@@ -126,6 +98,7 @@ class RegionSolver {
   Neighborhoods neighborhoods_;
   Badness badness_;
   PointGroups& groups_;
+  VertexNumbers numbers_;  // scratch
   std::size_t small_piece_;
   PieceFinder piece_finder_;
   std::uint64_t conflicts_ = 0;

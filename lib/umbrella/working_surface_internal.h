@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "umbrella/incidence_internal.h"
@@ -20,12 +21,15 @@ class WorkingSurface {
  public:
   WorkingSurface(std::size_t n_vertices,
                  std::span<const RankedTriangle> triangles)
-      : head_(n_vertices, kEnd) {
-    n_given_ = triangles.size();
-    triangles_.reserve(triangles.size());
-    is_there_.reserve(triangles.size());
-    next_.reserve(3 * triangles.size());
-    for (const RankedTriangle& t : triangles) add({t.corners, t.facet});
+      : n_given_(triangles.size()),
+        triangles_(triangles.size()),
+        is_there_(triangles.size(), 1),
+        head_(n_vertices, kEnd),
+        next_(3 * triangles.size()) {
+    for (TriangleIndex t = 0; t < n_given_; ++t) {
+      triangles_[t] = {triangles[t].corners, triangles[t].facet};
+      link(t);
+    }
   }
 
   std::size_t n_vertices() const { return head_.size(); }
@@ -43,11 +47,8 @@ class WorkingSurface {
     const auto t = static_cast<TriangleIndex>(triangles_.size());
     triangles_.push_back(triangle);
     is_there_.push_back(1);
-    for (std::uint32_t i = 0; i < 3; ++i) {
-      std::uint32_t& head = head_[index(triangle.corners[i])];
-      next_.push_back(head);
-      head = 3 * t + i;
-    }
+    next_.resize(next_.size() + 3);
+    link(t);
   }
   void remove(TriangleIndex t) { is_there_[t] = 0; }
 
@@ -84,20 +85,40 @@ class WorkingSurface {
     std::sort(added.begin(), added.end(), before);
     std::vector<LocatedTriangle> result;
     result.reserve(n_given_ + added.size());
-    auto next = added.begin();
-    for (std::size_t t = 0; t < n_given_; ++t) {
-      if (is_there_[t] == 0) continue;
-      while (next != added.end() && before(*next, triangles_[t]))
-        result.push_back(*next++);
-      result.push_back(triangles_[t]);
+    const auto given = triangles_.begin();
+    const auto end = given + static_cast<std::ptrdiff_t>(n_given_);
+    auto next = given;
+    for (const LocatedTriangle& t : added) {
+      const auto place = std::lower_bound(next, end, t, before);
+      append_given(next - given, place - given, result);
+      result.push_back(t);
+      next = place;
     }
-    result.insert(result.end(), next, added.end());
+    append_given(next - given, end - given, result);
     if (!std::is_sorted(result.begin(), result.end(), before))
       std::sort(result.begin(), result.end(), before);
     return result;
   }
 
  private:
+  /// At each of its corners.
+  void link(TriangleIndex t) {
+    for (std::uint32_t i = 0; i < 3; ++i)
+      next_[3 * t + i] =
+          std::exchange(head_[index(triangles_[t].corners[i])], 3 * t + i);
+  }
+  /// Those of triangles first to last - 1 that are still there.
+  void append_given(std::ptrdiff_t first, std::ptrdiff_t last,
+                    std::vector<LocatedTriangle>& out) const {
+    while (first < last) {
+      const auto end = std::find(is_there_.begin() + first,
+                                 is_there_.begin() + last, std::uint8_t{0});
+      const std::ptrdiff_t n = end - is_there_.begin();
+      out.insert(out.end(), triangles_.begin() + first, triangles_.begin() + n);
+      first = n + 1;
+    }
+  }
+
   static constexpr std::uint32_t kEnd =
       std::numeric_limits<std::uint32_t>::max();
 

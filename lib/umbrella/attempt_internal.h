@@ -1,0 +1,63 @@
+/// @file
+/// What is asked of one program, what it may take, and what came of it.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "umbrella/pieces_internal.h"
+
+namespace umbrella {
+
+enum class Outcome : std::uint8_t {
+  Solved,
+  Banned,      ///< only with a small closed piece
+  Infeasible,  ///< not at all
+  Undecided    ///< a limit was hit
+};
+
+struct Attempt {
+  Outcome outcome = Outcome::Undecided;
+  std::size_t n_candidates = 0;
+  std::size_t n_variables = 0;
+  /// Candidates of the solution, or of the last one that was banned.
+  std::vector<LocatedTriangle> chosen;
+  std::vector<TriangleIndex> freed;  ///< candidates that stood there before
+  std::vector<VertexId> vertices;    ///< of the program
+  std::vector<VertexId> dropped;     ///< left without triangles
+  std::vector<VertexId> stuck;       ///< of the contradiction, if there is one
+  std::vector<Piece> pieces;         ///< those that were cut off
+  bool has_waited = false;           ///< PieceFinder::has_waited, if solved
+};
+
+/// What is left of what the programs of one region may take.
+struct Effort {
+  std::uint64_t conflicts = 0;
+  std::uint64_t propagations = 0;
+
+  bool is_spent() const { return propagations == 0; }
+  void charge(std::uint64_t conflicts_taken, std::uint64_t propagations_taken) {
+    conflicts -= std::min(conflicts, conflicts_taken);
+    propagations -= std::min(propagations, propagations_taken);
+  }
+};
+
+struct AttemptOptions {
+  /// Vertices that may stay bare; ascending.
+  std::span<const VertexId> may_drop = {};
+  /// Whether a solution that leaves some bare is one. If not, all that stand
+  /// in its way are named as stuck.
+  bool accept_drops = true;
+  /// Small closed pieces that may be.
+  std::span<const Piece> allowed = {};
+  /// At least so many triangles fewer than there are.
+  std::size_t fewer_triangles = 0;
+  /// Whether there is a solution most often. If not, the sides are worth their
+  /// price at once: without a solution they mostly show that without a search.
+  bool is_likely = true;
+};
+
+}  // namespace umbrella

@@ -1,0 +1,36 @@
+/// @file
+/// Short loops round the handles of a surface that changes in few places.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "umbrella/essential_loops_internal.h"
+#include "umbrella/working_surface_internal.h"
+
+namespace umbrella {
+
+/// Looks at the whole surface once, and from then on only where it has changed
+/// and where there were loops. What is found there is what the whole surface
+/// has there.
+class HandleLoops {
+ public:
+  using Loops = std::vector<std::vector<VertexId>>;
+
+  explicit HandleLoops(unsigned max_edges) : max_edges_(max_edges) {}
+
+  /// Those of EssentialLoops::shortest() of a closed surface.
+  Loops all(std::size_t n_vertices, std::span<const LocatedTriangle> triangles);
+
+  /// Of these those that go through vertices of the triangles that have come
+  /// since the last call, `changed`, or through vertices of the loops that it
+  /// found, of tubes as well.
+  Loops about(const WorkingSurface& surface, std::span<const VertexId> changed);
+
+ private:
+  unsigned max_edges_;
+  std::vector<VertexId> on_loops_;  // of the last call; ascending
+};
+
+}  // namespace umbrella

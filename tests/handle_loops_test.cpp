@@ -1,0 +1,135 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include "umbrella/handle_loops_internal.h"
+
+namespace umbrella {
+namespace {
+
+constexpr std::uint32_t kSide = 24;  // squares of a torus each way
+constexpr unsigned kMaxEdges = 5;
+
+Triangle sorted(Triangle t) {
+  std::sort(t.begin(), t.end());
+  return t;
+}
+
+VertexId at(std::uint32_t i, std::uint32_t j) {
+  return VertexId{i % kSide * kSide + j % kSide};
+}
+
+/// Of a square, one half.
+Triangle lower(std::uint32_t i, std::uint32_t j) {
+  return sorted({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+}
+Triangle upper(std::uint32_t i, std::uint32_t j) {
+  return sorted({at(i, j), at(i, j + 1), at(i + 1, j + 1)});
+}
+
+/// A torus without short loops of its own, and handles on it: each leads from a
+/// triangle to another one, which are gone then.
+class Surface {
+ public:
+  Surface() : surface_(kSide * kSide, given()) {}
+
+  const WorkingSurface& surface() const { return surface_; }
+
+  /// Makes the handle between two triangles, or takes it away. @return their
+  /// vertices
+  std::vector<VertexId> toggle(const Triangle& a, const Triangle& b) {
+    std::vector<Triangle> caps = {a, b}, tube;
+    for (unsigned i = 0; i < 3; ++i) {
+      const unsigned k = (i + 1) % 3;
+      tube.push_back(sorted({a[i], a[k], b[k]}));
+      tube.push_back(sorted({a[i], b[i], b[k]}));
+    }
+    if (!contains(a)) std::swap(caps, tube);
+    for (const Triangle& t : caps) surface_.remove(find(t));
+    for (const Triangle& t : tube) surface_.add({t, {}});
+    std::vector<VertexId> vertices(a.begin(), a.end());
+    vertices.insert(vertices.end(), b.begin(), b.end());
+    return vertices;
+  }
+
+  HandleLoops::Loops all() const {
+    return HandleLoops(kMaxEdges).all(surface_.n_vertices(), surface_.sorted());
+  }
+
+ private:
+  static std::vector<RankedTriangle> given() {
+    std::vector<RankedTriangle> result;
+    for (std::uint32_t i = 0; i < kSide; ++i)
+      for (std::uint32_t j = 0; j < kSide; ++j)
+        for (const Triangle& t : {lower(i, j), upper(i, j)})
+          result.push_back({t, {}, {}});
+    return result;
+  }
+  TriangleIndex find(const Triangle& corners) const {
+    auto found = static_cast<TriangleIndex>(surface_.n_indices());
+    surface_.for_each_at(corners[0], [&](TriangleIndex t) {
+      if (surface_.corners(t) == corners) found = t;
+    });
+    return found;
+  }
+  bool contains(const Triangle& corners) const {
+    return find(corners) < surface_.n_indices();
+  }
+
+  WorkingSurface surface_;
+};
+
+/// Two triangles each.
+std::vector<std::array<Triangle, 2>> places() {
+  std::vector<std::array<Triangle, 2>> result;
+  for (std::uint32_t i = 0; i < 6; ++i)
+    for (const std::uint32_t j : {0U, 6U, 12U})
+      result.push_back({lower(2 * i, j), upper(2 * i, j + 3)});
+  for (std::uint32_t i = 0; i < 8; ++i)
+    result.push_back({lower(3 * i, 18), lower(3 * i + 1, 21)});
+  return result;
+}
+
+TEST(HandleLoops, AboutTheChangesAreThoseOfTheWholeSurface) {
+  const auto handles = places();
+  std::size_t n_loops = 0;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    std::mt19937_64 rng(seed);
+    std::uniform_int_distribution<std::size_t> any(0, handles.size() - 1);
+    Surface torus;
+    HandleLoops search(kMaxEdges);
+    EXPECT_TRUE(search.all(kSide * kSide, torus.surface().sorted()).empty());
+    for (int step = 0; step < 40; ++step) {
+      SCOPED_TRACE(testing::Message() << "step " << step);
+      std::vector<VertexId> changed;
+      for (int n = step % 3; n >= 0; --n) {
+        const auto& [a, b] = handles[any(rng)];
+        const auto vertices = torus.toggle(a, b);
+        changed.insert(changed.end(), vertices.begin(), vertices.end());
+      }
+      const HandleLoops::Loops expected = torus.all();
+      ASSERT_EQ(search.about(torus.surface(), changed), expected);
+      n_loops += expected.size();
+    }
+  }
+  EXPECT_GT(n_loops, 1000U);
+}
+
+TEST(HandleLoops, GoWithTheHandle) {
+  Surface torus;
+  HandleLoops search(kMaxEdges);
+  const auto made = torus.toggle(lower(3, 3), lower(9, 9));
+  EXPECT_FALSE(search.about(torus.surface(), made).empty());
+  // Nothing has changed: they are looked for where they were.
+  EXPECT_EQ(search.about(torus.surface(), {}), torus.all());
+  const auto gone = torus.toggle(lower(3, 3), lower(9, 9));
+  EXPECT_TRUE(search.about(torus.surface(), gone).empty());
+}
+
+}  // namespace
+}  // namespace umbrella
