@@ -116,6 +116,7 @@ void BowyerWatson3::fill_cavity(VertexId apex) {
   const double* p = at(apex);
   for (std::uint32_t i = 0; i < n_rim_; ++i) spokes_[i] = relative(rim_[i], p);
   std::size_t n = n_boundary_;
+  n_star_ = n;
   set_star_spheres(p, {spokes_, corners_, {star_.data(), n}}, cells_);
   if (n_rim_ > kLinkTableSide)
     link_large_star();
