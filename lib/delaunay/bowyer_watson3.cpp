@@ -265,9 +265,8 @@ bool BowyerWatson3::find_cavity(CellId seed, VertexId v, const Region& region) {
     const Facet entry = search.cavity[k];
     const Cell& cell = cells_[index(entry.cell())];
     if (!region.owns(cell)) break;
-    const auto neighbor = cell.neighbor;
     for (unsigned i = 1; i < 4; ++i)
-      search.look(neighbor[(entry.index() + i) % 4]);
+      search.look(cell.neighbor[(entry.index() + i) % 4]);
     count(counters_.sphere_tests, 3);
     ++k;
     if (k == search.n_cavity && search.n_open > 0) [[unlikely]]
