@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "delaunay/parallel_insertion_internal.h"
-#include "delaunay/spatial_sort.h"
 #include "delaunay/threads.h"
 #include "delaunay/triangulation3.h"
 #include "delaunay/validate.h"
@@ -164,8 +163,7 @@ InsertionOptions crowd(unsigned threads) {
 
 LazyVector<Cell> insert_again(const Triangulation3& t, Mesh3& mesh,
                               const InsertionOptions& options) {
-  const std::size_t n_finite = insert_all(
-      mesh, t.cells()[0].vertex, insertion_order(t.points().size()), options);
+  const std::size_t n_finite = insert_all(mesh, t.cells()[0].vertex, options);
   EXPECT_EQ(n_finite, t.n_finite_cells());
   return std::move(mesh.cells);
 }
@@ -209,6 +207,14 @@ TEST(ParallelInsertion, MakesTheSameCellsOnAnyNumberOfThreads) {
 TEST(ParallelInsertion, MakesTheSameCellsOfFewPoints) {
   for (const std::size_t n : {5, 12, 30, 90})
     expect_same_for_all_families(n, 1);
+}
+
+// Large enough for rounds that do not ascend.
+TEST(ParallelInsertion, MakesTheSameCellsOfAFullLattice) {
+  std::vector<Point3> points;
+  for (int i = 0; i < 20 * 12 * 9; ++i)
+    points.emplace_back(i / 108, i / 9 % 12, i % 9);
+  expect_same_for_any_number_of_threads(Triangulation3(points), kCrowded);
 }
 
 // An insertion meets most of the cells there are: no part owns its cavity.

@@ -13,7 +13,6 @@
 
 #include "apps/shapes.h"
 #include "delaunay/parallel_insertion_internal.h"
-#include "delaunay/spatial_sort.h"
 #include "delaunay/validate.h"
 #include "tests/support/brute_delaunay.h"
 #include "tests/support/paper_sets.h"
@@ -188,7 +187,7 @@ TEST(Mesh3, RefusesMoreCellsThanItsNumbersHold) {
   const auto n_finite_cells = [&](std::size_t limit) {
     Mesh3 mesh(points);
     mesh.max_cells = limit;
-    return insert_all(mesh, first, insertion_order(points.size()), {});
+    return insert_all(mesh, first, {});
   };
   EXPECT_EQ(n_finite_cells(std::size_t{1} << 30U), (kLine - 1) * (kLine - 1));
   EXPECT_EQ(n_finite_cells(5000), (kLine - 1) * (kLine - 1));
@@ -220,8 +219,7 @@ TEST(Mesh3, HasTheSameCellsWithoutTheTieBreakOnLattices) {
     EXPECT_GT(with.tie_reach2, 0);
     without.tie_reach2 = 0;
     for (Mesh3* mesh : {&with, &without})
-      insert_all(*mesh, t.cells()[0].vertex, insertion_order(t.points().size()),
-                 {});
+      insert_all(*mesh, t.cells()[0].vertex, {});
     EXPECT_TRUE(sorted_corners(with) == sorted_corners(without));
   }
 }

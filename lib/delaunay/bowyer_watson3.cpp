@@ -16,6 +16,8 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <span>
 #include <stdexcept>
 
 #include "delaunay/bowyer_watson3_internal.h"
@@ -89,6 +91,7 @@ void BowyerWatson3::insert(VertexId v) {
 void BowyerWatson3::resume(CellId near) {
   cells_ = mesh_.cells.data();
   hint_ = finite(near);
+  n_star_ = 0;
 }
 
 bool BowyerWatson3::enter(const Part& part, VertexId v, CellId near) {
@@ -136,10 +139,23 @@ bool BowyerWatson3::is_beyond(const Cell& cell, unsigned facet,
   }
 }
 
+// A cell made last whose cached sphere holds p. There is one where p becomes a
+// neighbour of the vertex inserted last, but for ties.
+std::optional<CellId> BowyerWatson3::near_in_star(const double* p) const {
+  for (const CellId c : std::span(star_).first(n_star_)) {
+    const Cell& cell = cells_[index(c)];
+    if (squared_distance(cell, p) < cell.inside2) return c;
+  }
+  return std::nullopt;
+}
+
 // Visibility walk. Any cell in conflict will do, so it stops at the first
 // whose cached sphere holds p. Rounded signs may mislead it or make it
 // circle, never to a wrong result: they get a bounded number of steps, and
 // the exact walk ends on every Delaunay triangulation [Devillers02].
+// Most walks are short. Where stars are large, as on surfaces of revolution,
+// whose points share spheres with circles of others, each leads through one:
+// so after a few steps all cells of the star are asked at once.
 // Of cells that the region does not own it reads the corners only, and it ends
 // where no facet is left that it may cross.
 template <bool kExact, class Region>
@@ -147,6 +163,7 @@ CellId BowyerWatson3::walk(CellId start, const double* p,
                            const Region& region) const {
   CellId current = start;
   unsigned entry = 4;
+  constexpr std::size_t kFewSteps = 8;
   const std::size_t max_steps =
       kExact ? std::numeric_limits<std::size_t>::max() : 4096;
   for (std::size_t step = 0; step < max_steps; ++step) {
@@ -155,6 +172,8 @@ CellId BowyerWatson3::walk(CellId start, const double* p,
     count(counters_.walk_steps);
     const bool is_own = region.owns(cell);
     if (is_own && squared_distance(cell, p) < cell.inside2) return current;
+    if (!kExact && step == kFewSteps)
+      if (const auto found = near_in_star(p)) return *found;
     unsigned exit = 4;
     for (unsigned k = 0; k < 4 && exit == 4; ++k) {
       const auto i = static_cast<unsigned>((k + step) % 4);
@@ -246,9 +265,8 @@ bool BowyerWatson3::find_cavity(CellId seed, VertexId v, const Region& region) {
     const Facet entry = search.cavity[k];
     const Cell& cell = cells_[index(entry.cell())];
     if (!region.owns(cell)) break;
-    const auto neighbor = cell.neighbor;
     for (unsigned i = 1; i < 4; ++i)
-      search.look(neighbor[(entry.index() + i) % 4]);
+      search.look(cell.neighbor[(entry.index() + i) % 4]);
     count(counters_.sphere_tests, 3);
     ++k;
     if (k == search.n_cavity && search.n_open > 0) [[unlikely]]

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -62,6 +63,7 @@ class alignas(128) BowyerWatson3 {  // shares no cache line with another
 
   template <bool kExact, class Region>
   CellId walk(CellId start, const double* p, const Region& region) const;
+  std::optional<CellId> near_in_star(const double* p) const;
   CellId locate(CellId start, const double* p) const;
   CellId finite(CellId c) const;
   template <bool kExact>
@@ -116,6 +118,7 @@ class alignas(128) BowyerWatson3 {  // shares no cache line with another
   std::size_t n_cavity_ = 0;               // so many are in use
   std::size_t n_boundary_ = 0;
   std::vector<CellId> star_;
+  std::size_t n_star_ = 0;            // of the star that is in the mesh
   std::vector<SpokeTriple> corners_;  // positions in rim_ and spokes_
   std::vector<VertexId> rim_;
   std::vector<Spoke> spokes_;

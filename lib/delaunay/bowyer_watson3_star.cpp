@@ -18,21 +18,20 @@ constexpr std::array<std::uint8_t, 4> kFiniteSlots = {0, 1, 2, 3};
 constexpr std::array<std::uint8_t, 4> kInfiniteSlots = {0, 2, 3, 1};
 
 /// Numbers the vertices of the rim in the order they are met. Each is met six
-/// times, and no branch has to guess whether it is the first time.
+/// times, and no branch has to guess whether it is the first time: less the
+/// rim, the number of a vertex of another rim is at least 2^32.
 struct RimNumbers {
-  VertexId* rim;
-  VertexId apex;  // of this insertion
-  std::uint32_t count = 0;
+  VertexId* list;
+  std::uint64_t rim;
+  std::uint64_t count = 0;
 
   std::uint32_t of(VertexId v, Mesh3::Site& site) {
-    const std::uint32_t is_new = site.apex != apex ? 1 : 0;
-    const std::uint32_t known = site.rim_number;
-    const std::uint32_t number = known ^ ((known ^ count) & (0 - is_new));
-    site.rim_number = number;
-    site.apex = apex;
-    rim[count] = v;
-    count += is_new;
-    return number;
+    const std::uint64_t known = site.rim_number - rim;
+    const std::uint64_t number = std::min(known, count);
+    site.rim_number = rim + number;
+    list[count] = v;
+    count += known >> 32U != 0 ? 1 : 0;
+    return static_cast<std::uint32_t>(number);
   }
 };
 
@@ -77,7 +76,7 @@ void BowyerWatson3::allocate_star() {
 }
 
 void BowyerWatson3::make_star_cells(VertexId apex) {
-  RimNumbers numbers{rim_.data(), apex};
+  RimNumbers numbers{rim_.data(), Site::rim_of(apex)};
   Site* const sites = sites_;
   for (std::size_t k = 0; k < n_boundary_; ++k) {
     const Facet outside = boundary_[k];
@@ -116,10 +115,11 @@ void BowyerWatson3::fill_cavity(VertexId apex) {
   const double* p = at(apex);
   for (std::uint32_t i = 0; i < n_rim_; ++i) spokes_[i] = relative(rim_[i], p);
   std::size_t n = n_boundary_;
+  n_star_ = n;
   set_star_spheres(p, {spokes_, corners_, {star_.data(), n}}, cells_);
   if (n_rim_ > kLinkTableSide)
     link_large_star();
-  else if (infinite_site_.apex == apex)
+  else if (infinite_site_.rim_number >= Site::rim_of(apex))
     link_star([this](std::size_t k) { return slots(k); });
   else
     link_star([](std::size_t) { return kFiniteSlots; });

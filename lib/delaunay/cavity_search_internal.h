@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include "delaunay/triangulation3.h"
 
@@ -48,14 +49,24 @@ struct CavitySearch {
   std::size_t n_open = 0;
 
   void look(Facet f) {
-    const Cell& cell = cells[index(f.cell())];
+    Cell& cell = cells[index(f.cell())];
+    const Floats radii = {cell.inside2, cell.outside2};
+    const auto r2 = __builtin_convertvector(radii, Doubles);
     const double d2 = squared_distance(cell, p.data());
-    const std::uint32_t inside = d2 < cell.inside2 ? 1 : 0;
-    const std::uint32_t outside = d2 > cell.outside2 ? 1 : 0;
-    const std::uint32_t in_cavity = is_marked(cell.inside2);
-    add(f, inside, outside);
+    // Of "inside" and "outside", and of the marks: -1 for yes.
+    const Words certain = Doubles{d2, r2[1]} < Doubles{r2[0], d2};
+    const auto bits = std::bit_cast<HalfWords>(radii);
+    const auto marked = std::bit_cast<Floats>(
+        bits | (__builtin_convertvector(certain, HalfWords) & kMarks));
+    const std::int32_t in_cavity = bits[0] >> 31U;
+    cell.inside2 = marked[0];
+    cell.outside2 = marked[1];
+    cavity[n_cavity] = f;
+    n_cavity -= certain[0];
+    boundary[n_boundary] = f;
+    n_boundary -= certain[1];
     open[n_open] = f;
-    n_open += (inside | outside | in_cavity) ^ 1U;
+    n_open += (certain[0] | certain[1] | in_cavity) + 1;
   }
   /// Whether the cell is in the cavity, or next to it, for all that is known.
   bool has_seen(Facet f) const {
@@ -82,6 +93,15 @@ struct CavitySearch {
   }
 
  private:
+  // A number for "inside" and one for "outside".
+  using Doubles [[gnu::vector_size(16)]] = double;
+  using Words [[gnu::vector_size(16)]] = std::int64_t;
+  using Floats [[gnu::vector_size(8)]] = float;
+  using HalfWords [[gnu::vector_size(8)]] = std::int32_t;
+  static constexpr std::int32_t kMark =
+      std::numeric_limits<std::int32_t>::min();
+  static constexpr HalfWords kMarks = {kMark, kMark};
+
   void add(Facet f, std::uint32_t inside, std::uint32_t outside) {
     Cell& cell = cells[index(f.cell())];
     cavity[n_cavity] = f;

@@ -17,12 +17,15 @@
 namespace delaunay {
 
 struct Mesh3 {
-  /// A vertex, and its number on the rim of the cavity in which `apex` was
-  /// inserted. Half a cache line.
+  /// A vertex, and its number on the rim of a cavity, added to rim_of() the
+  /// vertex that was inserted there. Half a cache line.
   struct alignas(32) Site {
     std::array<double, 3> at;
-    std::uint32_t rim_number = 0;
-    VertexId apex = kInfinite;
+    std::uint64_t rim_number = rim_of(kInfinite);
+
+    static constexpr std::uint64_t rim_of(VertexId apex) {
+      return std::uint64_t{index(apex)} << 32U;
+    }
   };
 
   /// @param points  distinct; quickest if their coordinates fill [-1, 1], for

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "delaunay/bowyer_watson3_internal.h"
+#include "delaunay/insertion_rounds_internal.h"
 #include "delaunay/parallel_insertion_internal.h"
 #include "delaunay/threads.h"
 
@@ -223,17 +224,14 @@ std::size_t Crew::finish() {
 }  // namespace
 
 std::size_t insert_all(Mesh3& mesh, const std::array<VertexId, 4>& first,
-                       std::vector<VertexId> order,
                        const InsertionOptions& options) {
   Crew crew(mesh, options);
   crew.start(first);
-  std::erase_if(order, [&](VertexId v) {
-    return std::ranges::find(first, v) != first.end();
-  });
-  for (auto begin = order.begin(); begin != order.end();) {
-    const auto end = std::is_sorted_until(begin, order.end());
-    crew.insert({begin, end});
-    begin = end;
+  for (Vertices& round : insertion_rounds(mesh)) {
+    std::erase_if(round, [&](VertexId v) {
+      return std::ranges::find(first, v) != first.end();
+    });
+    crew.insert(round);
   }
   return crew.finish();
 }

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstddef>
-#include <vector>
 
 #include "delaunay/mesh3_internal.h"
 
@@ -22,10 +21,8 @@ struct InsertionOptions {
 /// Fills an empty mesh.
 ///
 /// @param first  four vertices that span space
-/// @param order  all vertices, in rounds that ascend
 /// @return how many cells, the first ones, lie inside the hull
 std::size_t insert_all(Mesh3& mesh, const std::array<VertexId, 4>& first,
-                       std::vector<VertexId> order,
                        const InsertionOptions& options);
 
 }  // namespace delaunay

@@ -324,16 +324,14 @@ std::vector<std::uint32_t> first_rows(std::size_t n_points,
   return rows;
 }
 
-std::vector<VertexId> insertion_order(std::size_t n) {
-  // Each round holds eight times the points of all rounds before it.
-  static constexpr unsigned kLog2Growth = 3;
+std::vector<VertexId> insertion_order(std::size_t n, unsigned log2_growth) {
   static constexpr std::size_t kFirstRound = 512;
   unsigned last = 0;
-  for (std::size_t m = n; m > kFirstRound; m >>= kLog2Growth) ++last;
+  for (std::size_t m = n; m > kFirstRound; m >>= log2_growth) ++last;
 
-  const auto round_of = [last](std::size_t i) {
+  const auto round_of = [last, log2_growth](std::size_t i) {
     const auto zeros = static_cast<unsigned>(std::countr_zero(mix(i)));
-    return last - std::min(zeros / kLog2Growth, last);
+    return last - std::min(zeros / log2_growth, last);
   };
   std::vector<std::size_t> begin(last + 2, 0);
   for (std::size_t i = 0; i < n; ++i) ++begin[round_of(i) + 1];

@@ -42,7 +42,10 @@ std::vector<std::uint32_t> first_rows(std::size_t n_points,
 
 /// Biased randomised insertion order [Amenta03]: 0 .. n-1 cut into rounds of
 /// growing size, each round a pseudo-random subset in ascending order.
-/// Depends on n alone.
-std::vector<VertexId> insertion_order(std::size_t n);
+/// Depends on the arguments alone.
+///
+/// @param log2_growth  a round holds 2^log2_growth times the vertices of all
+///   rounds before it
+std::vector<VertexId> insertion_order(std::size_t n, unsigned log2_growth = 3);
 
 }  // namespace delaunay

@@ -114,8 +114,7 @@ Triangulation3::Triangulation3(std::span<const Point3> points,
       std::clamp(threads, 1U, InsertionOptions::kMaxThreads)));
   {
     Mesh3 mesh(std::exchange(points_, {}), options.threads);
-    n_finite_cells_ =
-        insert_all(mesh, frame.vertex, insertion_order(n), options);
+    n_finite_cells_ = insert_all(mesh, frame.vertex, options);
     cells_ = std::move(mesh.cells);
     counters_ = mesh.counters;
   }
