@@ -51,10 +51,9 @@ class UmbrellaPicker {
  private:
   static constexpr std::size_t kFew = FirstCycle::kMostEdges;
   static constexpr std::size_t kAtOnce = 4;
-  /// Keys in one register, and all of them.
-  using FourKeys [[gnu::vector_size(16)]] = std::int32_t;
-  template <std::size_t kRegisters>
-  using Keys = std::array<FourKeys, kRegisters>;
+  /// What is done to four at once, in one register.
+  using FourKeys [[gnu::vector_size(16)]] = float;
+  using FourPlaces [[gnu::vector_size(16)]] = std::int32_t;
 
   /// Puts the positions of the star's triangles in their order. How many go
   /// before each takes more comparisons than sorting, but no jump that depends
@@ -64,25 +63,27 @@ class UmbrellaPicker {
     constexpr std::size_t kMost = kRegisters * kAtOnce;
     static_assert(kMost <= kFew && kMost <= 2 * Star::kPadding);
     const std::size_t n = star.keys.size();
-    Keys<kRegisters> keys;
-    std::memcpy(keys.data(), star.keys.data(), sizeof(keys));
-    Keys<kRegisters> place = {};
-    for (std::size_t i = 0; i < n; ++i) {
-      const FourKeys key = FourKeys{} + star.keys[i];
+    const float* const key_of = star.keys.data();
+    std::array<FourKeys, kRegisters> keys;
+    std::memcpy(keys.data(), key_of, sizeof(keys));
+    std::array<FourPlaces, kRegisters> places = {};
+    // What is no key is before none, and none before it.
+    for (std::size_t i = 0; i < kMost; ++i) {
+      const FourKeys key = FourKeys{} + key_of[i];
       // True is -1.
-      for (std::size_t r = 0; r < kRegisters; ++r) place[r] -= key < keys[r];
+      for (std::size_t r = 0; r < kRegisters; ++r) places[r] -= key < keys[r];
     }
-    FourKeys sums = {};
-    for (const FourKeys& four : place) sums += four;
-    // What is no key comes after all n.
-    const std::size_t sum =
-        static_cast<std::size_t>(sums[0] + sums[1] + sums[2] + sums[3]) -
-        n * (kMost - n);
+    FourPlaces sums = {};
+    for (const FourPlaces& four : places) sums += four;
     std::array<std::int32_t, kMost> place_of;
-    std::memcpy(place_of.data(), place.data(), sizeof(place_of));
+    std::memcpy(place_of.data(), places.data(), sizeof(place_of));
+    const auto sum =
+        static_cast<std::size_t>(sums[0] + sums[1] + sums[2] + sums[3]);
     if (sum != n * (n - 1) / 2) part_equal(star, place_of);
-    for (std::uint32_t i = 0; i < kMost; ++i)
-      order_[static_cast<std::size_t>(place_of[i])] = i;
+    // What is no key comes first, and is written over.
+    for (std::size_t i = kMost; i-- > 0;)
+      order_[static_cast<std::size_t>(place_of[i])] =
+          static_cast<std::uint32_t>(i);
   }
 
   /// Where keys are equal, as they are on the hull.
@@ -137,8 +138,7 @@ class UmbrellaPicker {
   CycleCheck check_;
   FirstCycle few_;
   LinkGraph graph_;
-  // Positions in the star at hand, ordered by rank; one more for what is none.
-  std::array<std::uint32_t, kFew + 1> order_ = {};
+  std::array<std::uint32_t, kFew> order_ = {};  // positions, by rank
   std::vector<std::uint32_t> many_;
 };
 

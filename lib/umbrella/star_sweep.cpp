@@ -1,23 +1,9 @@
 #include <algorithm>
-#include <bit>
 #include <utility>
 
 #include "umbrella/star_sweep_internal.h"
 
 namespace umbrella {
-namespace {
-
-/// Ascends with the primary rank, and is the same for 0 and -0: the upper half
-/// of its bits, where the sign is a bit of its own.
-std::int32_t key_of(const RankedTriangle& t) {
-  const auto bits = std::bit_cast<std::uint64_t>(t.rank.primary);
-  const auto upper = static_cast<std::int32_t>(bits >> 32U);
-  const std::int32_t if_negative = upper >> 31;
-  return ((upper & std::numeric_limits<std::int32_t>::max()) ^ if_negative) -
-         if_negative;
-}
-
-}  // namespace
 
 inline void StarSweep::await(TriangleIndex t) {
   await_at(triangles_[t].corners[1], 2 * t);
@@ -50,7 +36,7 @@ Star StarSweep::next() {
                           const LinkEdge& edge) {
     if (n == room_) reserve(2 * n);
     star_[n] = {corner, edge};
-    keys_[n++] = key_of(t);
+    keys_[n++] = static_cast<float>(t.rank.primary);
   };
   for (std::uint32_t link = first_link_[index(v) - begin_]; link != kNone;
        link = next_link_[link]) {

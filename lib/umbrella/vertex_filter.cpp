@@ -21,11 +21,11 @@ FilterResult Choices::among(std::vector<RankedTriangle> triangles) && {
   auto kept = triangles.begin();
   const std::uint8_t* by = is_chosen_.data();
   for (const RankedTriangle& t : triangles) {
-    const int n_choose = by[0] + by[1] + by[2];
+    const int is_kept = by[0] | by[1] | by[2];
     // Copied always, kept or not: which it is, no processor can guess.
     *kept = t;
-    kept += n_choose > 0 ? 1 : 0;
-    if (n_choose % 3 != 0)
+    kept += is_kept;
+    if (is_kept != (by[0] & by[1] & by[2]))
       for (unsigned i = 0; i < 3; ++i)
         if (by[i] == 0) unsettled.push_back(t.corners[i]);
     by += 3;
