@@ -30,13 +30,17 @@ class UmbrellaPicker {
       : triangles_(triangles),
         check_(n_vertices),
         few_(n_vertices),
-        graph_(n_vertices) {}
+        graph_(n_vertices) {
+    std::iota(unsorted_.begin(), unsorted_.end(), 0U);
+  }
 
   /// @return positions in the star, none if it holds no umbrella; valid until
   ///   the next call
   std::span<const std::uint32_t> pick(const Star& star) {
     const std::size_t n = star.triangles.size();
     if (n > kFew) return pick_from_many(star);
+    if (star.odd == 0 && is_umbrella(star))
+      return std::span(unsorted_).first(n);
     if (n <= 2 * kAtOnce)
       sort_few<2>(star);
     else if (n <= 3 * kAtOnce)
@@ -51,6 +55,13 @@ class UmbrellaPicker {
  private:
   static constexpr std::size_t kFew = FirstCycle::kMostEdges;
   static constexpr std::size_t kAtOnce = 4;
+  /// Whether all its triangles make one: their order does not matter then.
+  bool is_umbrella(const Star& star) {
+    const std::size_t n = star.triangles.size();
+    return n == check_.find(
+                    n, [&](std::size_t i) { return star.triangles[i].edge; });
+  }
+
   /// What is done to four at once, in one register.
   using FourKeys [[gnu::vector_size(16)]] = float;
   using FourPlaces [[gnu::vector_size(16)]] = std::int32_t;
@@ -138,7 +149,8 @@ class UmbrellaPicker {
   CycleCheck check_;
   FirstCycle few_;
   LinkGraph graph_;
-  std::array<std::uint32_t, kFew> order_ = {};  // positions, by rank
+  std::array<std::uint32_t, kFew> order_ = {};     // positions, by rank
+  std::array<std::uint32_t, kFew> unsorted_ = {};  // positions
   std::vector<std::uint32_t> many_;
 };
 

@@ -32,10 +32,12 @@ StarSweep::StarSweep(std::span<const RankedTriangle> triangles,
 Star StarSweep::next() {
   const VertexId v{static_cast<std::uint32_t>(at_++)};
   std::size_t n = 0;
+  std::uint32_t odd = 0;
   const auto append = [&](std::uint32_t corner, const RankedTriangle& t,
                           const LinkEdge& edge) {
     if (n == room_) reserve(2 * n);
     star_[n] = {corner, edge};
+    for (const VertexId end : edge) odd ^= static_cast<std::uint32_t>(end);
     keys_[n++] = static_cast<float>(t.rank.primary);
   };
   for (std::uint32_t link = first_link_[index(v) - begin_]; link != kNone;
@@ -52,7 +54,7 @@ Star StarSweep::next() {
     await(t);
   }
   std::fill_n(&keys_[n], Star::kPadding, Star::kNoKey);
-  return {v, std::span(star_).first(n), std::span(keys_).first(n)};
+  return {v, std::span(star_).first(n), std::span(keys_).first(n), odd};
 }
 
 void StarSweep::reserve(std::size_t n) {

@@ -32,6 +32,8 @@ struct Star {
   /// Of each triangle: its primary rank, rounded. In memory kNoKey follows,
   /// kPadding times.
   std::span<const float> keys;
+  /// XOR of the ends of all edges: 0 where they make cycles.
+  std::uint32_t odd;
 };
 
 /// A triangle waits for its middle and its last corner once its first one has
