@@ -34,7 +34,8 @@ FilterResult Choices::among(std::vector<RankedTriangle> triangles) && {
   unsettled.insert(unsettled.end(), without_umbrella_.begin(),
                    without_umbrella_.end());
   std::ranges::sort(unsettled);
-  unsettled.erase(std::ranges::unique(unsettled).begin(), unsettled.end());
+  unsettled.erase(std::unique(unsettled.begin(), unsettled.end()),
+                  unsettled.end());
   result.triangles = std::move(triangles);
   result.without_umbrella = std::move(without_umbrella_);
   return result;
