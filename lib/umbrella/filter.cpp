@@ -55,6 +55,7 @@ class UmbrellaPicker {
  private:
   static constexpr std::size_t kFew = FirstCycle::kMostEdges;
   static constexpr std::size_t kAtOnce = 4;
+
   /// Whether all its triangles make one: their order does not matter then.
   bool is_umbrella(const Star& star) {
     const std::size_t n = star.triangles.size();
@@ -88,9 +89,9 @@ class UmbrellaPicker {
     for (const FourPlaces& four : places) sums += four;
     std::array<std::int32_t, kMost> place_of;
     std::memcpy(place_of.data(), places.data(), sizeof(place_of));
-    const auto sum =
-        static_cast<std::size_t>(sums[0] + sums[1] + sums[2] + sums[3]);
-    if (sum != n * (n - 1) / 2) part_equal(star, place_of);
+    const std::int32_t sum = sums[0] + sums[1] + sums[2] + sums[3];
+    if (static_cast<std::size_t>(sum) != n * (n - 1) / 2)
+      part_equal(star, place_of);
     // What is no key comes first, and is written over.
     for (std::size_t i = kMost; i-- > 0;)
       order_[static_cast<std::size_t>(place_of[i])] =
