@@ -126,6 +126,9 @@ class CleanUp {
                                      (corners[1] == v ? 2U : 0U) |
                                      (corners[2] == v ? 4U : 0U));
   }
+  bool is_of_type3(TriangleIndex t) const {
+    return fate_[t] == Fate::Alive && type3_corners_[t] != 0;
+  }
   std::uint8_t without_corner(TriangleIndex t, VertexId v) const {
     return static_cast<std::uint8_t>(type3_corners_[t] & ~corner_bit(t, v));
   }
@@ -148,8 +151,9 @@ class CleanUp {
   std::vector<std::uint8_t> type3_corners_;  // bit i: of type 3 at corner i
   std::vector<std::uint8_t> has_umbrella_;
   std::vector<bool> is_dirty_;
-  std::vector<bool> is_waiting_;  // in worst_first_
-  /// All triangles of type 3, and some that were, each once.
+  std::vector<bool> is_waiting_;  // in one of the next two
+  // All triangles of type 3, and some that were, each once.
+  std::vector<TriangleIndex> found_;  // since the last one was deleted
   std::priority_queue<TriangleIndex, std::vector<TriangleIndex>, RanksBefore>
       worst_first_;
   std::vector<TriangleIndex> alive_at_v_;
@@ -179,25 +183,32 @@ void CleanUp::classify(VertexId v, std::vector<TriangleIndex>& type2) {
   has_umbrella_[index(v)] = graph_.has_cycle() ? 1 : 0;
   if (!graph_.has_cycle()) return;
 
-  const bool is_of_type3 = !graph_.has_one_cycle();
+  const bool has_type3 = !graph_.has_one_cycle();
   const std::vector<std::uint8_t>& in_umbrella = graph_.drop_bridges();
   for (std::size_t k = 0; k < alive_at_v_.size(); ++k) {
     const TriangleIndex t = alive_at_v_[k];
     if (in_umbrella[k] == 0) type2.push_back(t);
-    if (in_umbrella[k] == 0 || !is_of_type3) continue;
+    if (in_umbrella[k] == 0 || !has_type3) continue;
     type3_corners_[t] |= corner_bit(t, v);
-    if (!is_waiting_[t]) worst_first_.push(t);
+    if (!is_waiting_[t]) found_.push_back(t);
     is_waiting_[t] = true;
   }
 }
 
 /// The triangle of type 3 that ranks last; none if there is none.
 std::vector<TriangleIndex> CleanUp::worst_type3() {
+  // Most that were found are gone by now.
+  for (const TriangleIndex t : found_)
+    if (is_of_type3(t))
+      worst_first_.push(t);
+    else
+      is_waiting_[t] = false;
+  found_.clear();
   while (!worst_first_.empty()) {
     const TriangleIndex t = worst_first_.top();
     worst_first_.pop();
     is_waiting_[t] = false;
-    if (fate_[t] == Fate::Alive && type3_corners_[t] != 0) return {t};
+    if (is_of_type3(t)) return {t};
   }
   return {};
 }

@@ -28,7 +28,7 @@ class CycleCheck {
   template <class EdgeAt>
   std::size_t find(std::size_t n, EdgeAt edge) {
     assert(graph_ < std::numeric_limits<std::uint32_t>::max() - kDegrees);
-    graph_ += kDegrees;
+    const std::uint32_t graph = graph_ += kDegrees;
     std::size_t n_nodes = 0, n_edges = 0;
     LinkEdge last = {};
     do {
@@ -38,9 +38,9 @@ class CycleCheck {
         Node& node = nodes_[index(last[i])];
         // Masked, not jumped over: whether it is new, no processor can guess.
         const std::uint32_t if_known =
-            0U - static_cast<std::uint32_t>(node.state > graph_);
-        if (node.state == graph_ + 2) return 0;
-        node = {std::max(node.state, graph_) + 1,
+            0U - static_cast<std::uint32_t>(node.state > graph);
+        if (node.state == graph + 2) return 0;
+        node = {std::max(node.state, graph) + 1,
                 (node.others & if_known) ^ number(last[1 - i])};
         n_nodes += if_known + 1;
       }

@@ -11,6 +11,7 @@
 #include <bit>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -29,13 +30,17 @@ class UmbrellaPicker {
       : triangles_(triangles),
         check_(n_vertices),
         few_(n_vertices),
-        graph_(n_vertices) {}
+        graph_(n_vertices) {
+    std::iota(unsorted_.begin(), unsorted_.end(), 0U);
+  }
 
   /// @return positions in the star, none if it holds no umbrella; valid until
   ///   the next call
   std::span<const std::uint32_t> pick(const Star& star) {
     const std::size_t n = star.triangles.size();
     if (n > kFew) return pick_from_many(star);
+    if (star.odd == 0 && is_umbrella(star))
+      return std::span(unsorted_).first(n);
     if (n <= 2 * kAtOnce)
       sort_few<2>(star);
     else if (n <= 3 * kAtOnce)
@@ -50,10 +55,17 @@ class UmbrellaPicker {
  private:
   static constexpr std::size_t kFew = FirstCycle::kMostEdges;
   static constexpr std::size_t kAtOnce = 4;
-  /// Keys in one register, and all of them.
-  using FourKeys [[gnu::vector_size(16)]] = std::int32_t;
-  template <std::size_t kRegisters>
-  using Keys = std::array<FourKeys, kRegisters>;
+
+  /// Whether all its triangles make one: their order does not matter then.
+  bool is_umbrella(const Star& star) {
+    const std::size_t n = star.triangles.size();
+    return n == check_.find(
+                    n, [&](std::size_t i) { return star.triangles[i].edge; });
+  }
+
+  /// What is done to four at once, in one register.
+  using FourKeys [[gnu::vector_size(16)]] = float;
+  using FourPlaces [[gnu::vector_size(16)]] = std::int32_t;
 
   /// Puts the positions of the star's triangles in their order. How many go
   /// before each takes more comparisons than sorting, but no jump that depends
@@ -63,25 +75,27 @@ class UmbrellaPicker {
     constexpr std::size_t kMost = kRegisters * kAtOnce;
     static_assert(kMost <= kFew && kMost <= 2 * Star::kPadding);
     const std::size_t n = star.keys.size();
-    Keys<kRegisters> keys;
-    std::memcpy(keys.data(), star.keys.data(), sizeof(keys));
-    Keys<kRegisters> place = {};
-    for (std::size_t i = 0; i < n; ++i) {
-      const FourKeys key = FourKeys{} + star.keys[i];
+    const float* const key_of = star.keys.data();
+    std::array<FourKeys, kRegisters> keys;
+    std::memcpy(keys.data(), key_of, sizeof(keys));
+    std::array<FourPlaces, kRegisters> places = {};
+    // What is no key is before none, and none before it.
+    for (std::size_t i = 0; i < kMost; ++i) {
+      const FourKeys key = FourKeys{} + key_of[i];
       // True is -1.
-      for (std::size_t r = 0; r < kRegisters; ++r) place[r] -= key < keys[r];
+      for (std::size_t r = 0; r < kRegisters; ++r) places[r] -= key < keys[r];
     }
-    FourKeys sums = {};
-    for (const FourKeys& four : place) sums += four;
-    // What is no key comes after all n.
-    const std::size_t sum =
-        static_cast<std::size_t>(sums[0] + sums[1] + sums[2] + sums[3]) -
-        n * (kMost - n);
+    FourPlaces sums = {};
+    for (const FourPlaces& four : places) sums += four;
     std::array<std::int32_t, kMost> place_of;
-    std::memcpy(place_of.data(), place.data(), sizeof(place_of));
-    if (sum != n * (n - 1) / 2) part_equal(star, place_of);
-    for (std::uint32_t i = 0; i < kMost; ++i)
-      order_[static_cast<std::size_t>(place_of[i])] = i;
+    std::memcpy(place_of.data(), places.data(), sizeof(place_of));
+    const std::int32_t sum = sums[0] + sums[1] + sums[2] + sums[3];
+    if (static_cast<std::size_t>(sum) != n * (n - 1) / 2)
+      part_equal(star, place_of);
+    // What is no key comes first, and is written over.
+    for (std::size_t i = kMost; i-- > 0;)
+      order_[static_cast<std::size_t>(place_of[i])] =
+          static_cast<std::uint32_t>(i);
   }
 
   /// Where keys are equal, as they are on the hull.
@@ -107,10 +121,12 @@ class UmbrellaPicker {
   /// @return whether there are others
   bool settle_ties(const Star& star, std::span<std::uint32_t> sorted,
                    std::size_t closing) const {
+    // Ranks that are so near have keys next to each other, or equal ones.
+    constexpr float kGap = 1 + 0x1p-22F;
+    constexpr float kLeast = std::numeric_limits<float>::min();
     const auto ties_with_next = [&](std::size_t i) {
       const std::uint32_t a = sorted[i], b = sorted[i + 1];
-      // Ranks that are so near have keys that differ by one at most.
-      return star.keys[b] - star.keys[a] <= 1 &&
+      return !(star.keys[b] > kGap * star.keys[a] + kLeast) &&
              triangles_.order().is_near_tie(triangle(star, a),
                                             triangle(star, b));
     };
@@ -188,8 +204,8 @@ class UmbrellaPicker {
   CycleCheck check_;
   FirstCycle few_;
   LinkGraph graph_;
-  // Positions in the star at hand, ordered by rank; one more for what is none.
-  std::array<std::uint32_t, kFew + 1> order_ = {};
+  std::array<std::uint32_t, kFew> order_ = {};     // positions, by rank
+  std::array<std::uint32_t, kFew> unsorted_ = {};  // positions
   std::vector<std::uint32_t> many_;
 };
 

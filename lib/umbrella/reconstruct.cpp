@@ -48,9 +48,10 @@ std::vector<double> lower_lambdas(const Triangulation3& triangulation,
     while (next != ranked.end() && next->facet != facet &&
            next->corners < corners)
       ++next;
-    if (next != ranked.end() && next->facet == facet &&
-        next->squared_lambda >= 0) {
-      lambda[t] = std::sqrt(next->squared_lambda);
+    const bool is_ranked = next != ranked.end() && next->facet == facet;
+    const double known = is_ranked ? (next++)->squared_lambda : -1;
+    if (known >= 0) {
+      lambda[t] = std::sqrt(known);
     } else {
       unknown.push_back(t);
       facets.push_back(spheres.points_of(facet));

@@ -1,23 +1,9 @@
 #include <algorithm>
-#include <bit>
 #include <utility>
 
 #include "umbrella/star_sweep_internal.h"
 
 namespace umbrella {
-namespace {
-
-/// Ascends with the primary rank, and is the same for 0 and -0: the upper half
-/// of its bits, where the sign is a bit of its own.
-std::int32_t key_of(const RankedTriangle& t) {
-  const auto bits = std::bit_cast<std::uint64_t>(t.rank.primary);
-  const auto upper = static_cast<std::int32_t>(bits >> 32U);
-  const std::int32_t if_negative = upper >> 31;
-  return ((upper & std::numeric_limits<std::int32_t>::max()) ^ if_negative) -
-         if_negative;
-}
-
-}  // namespace
 
 inline void StarSweep::await(TriangleIndex t) {
   await_at(triangles_[t].corners[1], 2 * t);
@@ -46,11 +32,13 @@ StarSweep::StarSweep(std::span<const RankedTriangle> triangles,
 Star StarSweep::next() {
   const VertexId v{static_cast<std::uint32_t>(at_++)};
   std::size_t n = 0;
+  std::uint32_t odd = 0;
   const auto append = [&](std::uint32_t corner, const RankedTriangle& t,
                           const LinkEdge& edge) {
     if (n == room_) reserve(2 * n);
     star_[n] = {corner, edge};
-    keys_[n++] = key_of(t);
+    for (const VertexId end : edge) odd ^= static_cast<std::uint32_t>(end);
+    keys_[n++] = static_cast<float>(t.rank.primary);
   };
   for (std::uint32_t link = first_link_[index(v) - begin_]; link != kNone;
        link = next_link_[link]) {
@@ -66,7 +54,7 @@ Star StarSweep::next() {
     await(t);
   }
   std::fill_n(&keys_[n], Star::kPadding, Star::kNoKey);
-  return {v, std::span(star_).first(n), std::span(keys_).first(n)};
+  return {v, std::span(star_).first(n), std::span(keys_).first(n), odd};
 }
 
 void StarSweep::reserve(std::size_t n) {

@@ -24,16 +24,16 @@ struct StarTriangle {
 
 /// What is at one vertex.
 struct Star {
-  /// More than any key.
-  static constexpr std::int32_t kNoKey =
-      std::numeric_limits<std::int32_t>::max();
+  static constexpr float kNoKey = std::numeric_limits<float>::quiet_NaN();
   static constexpr std::size_t kPadding = 16;
 
   VertexId vertex;
   std::span<const StarTriangle> triangles;
-  /// Of each triangle: ascends with its primary rank. In memory kNoKey follows,
+  /// Of each triangle: its primary rank, rounded. In memory kNoKey follows,
   /// kPadding times.
-  std::span<const std::int32_t> keys;
+  std::span<const float> keys;
+  /// XOR of the ends of all edges: 0 where they make cycles.
+  std::uint32_t odd;
 };
 
 /// A triangle waits for its middle and its last corner once its first one has
@@ -82,7 +82,7 @@ class StarSweep {
   // The star at hand and its keys, and room for more.
   std::size_t room_ = 0;
   std::vector<StarTriangle> star_;
-  std::vector<std::int32_t> keys_;
+  std::vector<float> keys_;
 };
 
 }  // namespace umbrella

@@ -23,11 +23,11 @@ FilterResult Choices::among(RankedTriangles all) && {
   auto kept = triangles.begin();
   const std::uint8_t* by = is_chosen_.data();
   for (const RankedTriangle& t : triangles) {
-    const int n_choose = by[0] + by[1] + by[2];
+    const int is_kept = by[0] | by[1] | by[2];
     // Copied always, kept or not: which it is, no processor can guess.
     *kept = t;
-    kept += n_choose > 0 ? 1 : 0;
-    if (n_choose % 3 != 0)
+    kept += is_kept;
+    if (is_kept != (by[0] & by[1] & by[2]))
       for (unsigned i = 0; i < 3; ++i)
         if (by[i] == 0) unsettled.push_back(t.corners[i]);
     by += 3;
@@ -36,7 +36,8 @@ FilterResult Choices::among(RankedTriangles all) && {
   unsettled.insert(unsettled.end(), without_umbrella_.begin(),
                    without_umbrella_.end());
   std::ranges::sort(unsettled);
-  unsettled.erase(std::ranges::unique(unsettled).begin(), unsettled.end());
+  unsettled.erase(std::unique(unsettled.begin(), unsettled.end()),
+                  unsettled.end());
   result.triangles = RankedTriangles(std::move(triangles), order);
   result.without_umbrella = std::move(without_umbrella_);
   return result;
