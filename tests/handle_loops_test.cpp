@@ -120,6 +120,29 @@ TEST(HandleLoops, AboutTheChangesAreThoseOfTheWholeSurface) {
   EXPECT_GT(n_loops, 1000U);
 }
 
+/// The tip of a finger is another piece beyond than the rest of the hand.
+TEST(HandleLoops, DoNotGoRoundAFinger) {
+  constexpr std::uint32_t kColumns = 30;
+  const auto on = [](std::uint32_t i, std::uint32_t column) {
+    return VertexId{3 * column + i % 3};
+  };
+  std::vector<RankedTriangle> finger;
+  const auto add = [&](const Triangle& t) {
+    finger.push_back({sorted(t), {}, {}});
+  };
+  for (std::uint32_t j = 0; j + 1 < kColumns; ++j)
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      add({on(i, j), on(i + 1, j), on(i + 1, j + 1)});
+      add({on(i, j), on(i, j + 1), on(i + 1, j + 1)});
+    }
+  for (const std::uint32_t j : {0U, kColumns - 1})
+    add({on(0, j), on(1, j), on(2, j)});
+  const WorkingSurface surface(3 * kColumns, finger);
+  HandleLoops search(3);
+  for (std::uint32_t j = 0; j < kColumns; ++j)
+    EXPECT_TRUE(search.about(surface, std::array{on(0, j)}).empty());
+}
+
 TEST(HandleLoops, GoWithTheHandle) {
   Surface torus;
   HandleLoops search(kMaxEdges);

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fstream>
 #include <numbers>
 #include <random>
 #include <set>
+#include <sstream>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -429,6 +432,23 @@ TEST(LocalRepair, BringsInPointsOfAVolume) {
     EXPECT_TRUE(after.unused_vertices.empty());
     EXPECT_EQ(after.components, 1U);
   }
+}
+
+/// One of its points is too far from the surface for two rings.
+TEST(SlowLocalRepair, BringsInAllPointsOfAScan) {
+  std::ifstream file("data/real/point_set_3.xyz");
+  if (!file) GTEST_SKIP() << "no scan: run scripts/fetch_data.sh";
+  std::vector<Point3> points;
+  std::string line;
+  while (std::getline(file, line)) {
+    std::istringstream row(line);
+    if (Point3 p; row >> p.x() >> p.y() >> p.z()) points.push_back(p);
+  }
+  ASSERT_EQ(points.size(), 8075U);
+  const Reconstruction result = reconstruct(points);
+  EXPECT_EQ(result.closing.brought_in, 2U);
+  EXPECT_TRUE(result.surface.closed && result.surface.manifold);
+  EXPECT_TRUE(result.surface.unused_vertices.empty());
 }
 
 /// The surface of each sphere alone, as triangles of both.

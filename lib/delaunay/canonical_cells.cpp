@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <utility>
 
 namespace delaunay {
@@ -52,19 +54,32 @@ CanonicalCells::CanonicalCells(const Triangulation3& original)
   rewrite_cells();
 }
 
+/// By their lowest corner, of which few have the same, then by the others. No
+/// finite cell comes after an infinite one.
 void CanonicalCells::number_cells() {
-  const auto n_finite = static_cast<std::ptrdiff_t>(original_.n_finite_cells());
-  std::vector<std::pair<Corners, CellId>> order;
-  order.reserve(original_.cells().size());
-  for (const Cell& cell : original_.cells())
-    order.emplace_back(ascending(cell),
-                       CellId{static_cast<std::uint32_t>(order.size())});
-  std::sort(order.begin(), order.begin() + n_finite);
-  std::sort(order.begin() + n_finite, order.end());
-  for (std::uint32_t c = 0; c < order.size(); ++c) {
-    original_of_[c] = order[c].second;
-    copy_of_[index(order[c].second)] = CellId{c};
+  const std::size_t n = original_.cells().size();
+  const std::size_t n_points = original_.points().size();
+  std::vector<Corners> corners(n);
+  std::vector<std::uint32_t> first(2 * n_points + 1);
+  const auto bucket = [&](std::size_t c) {
+    return index(corners[c][0]) +
+           (c < original_.n_finite_cells() ? 0 : n_points);
+  };
+  for (std::size_t c = 0; c < n; ++c) {
+    corners[c] = ascending(original_.cells()[c]);
+    ++first[bucket(c) + 1];
   }
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  for (std::uint32_t c = 0; c < n; ++c)
+    original_of_[first[bucket(c)]++] = CellId{c};
+  for (std::size_t b = 0, begin = 0; b < 2 * n_points; begin = first[b++])
+    std::sort(original_of_.begin() + static_cast<std::ptrdiff_t>(begin),
+              original_of_.begin() + static_cast<std::ptrdiff_t>(first[b]),
+              [&](CellId x, CellId y) {
+                return corners[index(x)] < corners[index(y)];
+              });
+  for (std::uint32_t c = 0; c < n; ++c)
+    copy_of_[index(original_of_[c])] = CellId{c};
 }
 
 /// Each cell is read and written once; of its neighbours only bytes are read.

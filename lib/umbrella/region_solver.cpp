@@ -74,12 +74,13 @@ RegionSolver::RegionSolver(const delaunay::Triangulation3& triangulation,
 
 Attempt RegionSolver::attempt(Proposal proposal, Effort& effort,
                               const AttemptOptions& how) {
-  auto& [region, candidates] = proposal;
+  const std::vector<LocatedTriangle>& candidates = proposal.candidates;
   ClosingProgram program(
-      surface_, {candidates, vertices_of(region, candidates), how.may_drop},
+      surface_,
+      {candidates, vertices_of(proposal.region, candidates), how.may_drop},
       numbers_);
   if (how.fewer_triangles > 0) program.demand_fewer(how.fewer_triangles);
-  Work work(std::move(candidates), std::move(program));
+  Work work(std::move(proposal.candidates), std::move(program));
   work.allowed = how.allowed;
   work.effort = {effort.conflicts / 2, effort.propagations / 2};
   if (!how.is_likely || !solve_in_order(work)) {
