@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 #include <random>
-#include <utility>
+#include <span>
 #include <vector>
 
 #include "delaunay/insertion_rounds_internal.h"
@@ -79,25 +79,50 @@ TEST(InsertionRounds, DoNotDependOnPlaceOrUnitOfALattice) {
   }
 }
 
+/// None is above a later one along all three axes.
+template <class Place>
+void expect_rising(std::span<const VertexId> order, const Place& place) {
+  for (std::size_t i = 0; i < order.size(); ++i)
+    for (std::size_t earlier = 0; earlier < i; ++earlier)
+      ASSERT_TRUE(
+          (place(order[earlier]).array() < place(order[i]).array()).any());
+}
+
 // What precedes in each round of a block is the middle of a cube of side 2, or
 // else is not above what follows, seen along all three axes.
 TEST(InsertionRounds, RiseAfterTheMiddlesOfCubesOnAFullLattice) {
-  const auto points = spatial_order(lattice_box({12, 11, 10})).points;
-  const auto is_middle = [&](VertexId v) {
-    return std::ranges::all_of(points[index(v)],
-                               [](double x) { return std::fmod(x, 2) == 1; });
-  };
-  for (const auto& round : insertion_rounds(Mesh3(points))) {
-    EXPECT_TRUE(std::ranges::is_partitioned(round, is_middle));
-    const auto others = std::ranges::partition_point(round, is_middle);
-    for (const auto& [from, to] :
-         {std::pair(round.begin(), others), std::pair(others, round.end())})
-      for (auto v = from; v != to; ++v)
-        for (auto earlier = from; earlier != v; ++earlier)
-          ASSERT_TRUE(
-              (points[index(*earlier)].array() < points[index(*v)].array())
-                  .any());
+  for (const Point3& step :
+       {Point3(1, 1, 1), Point3(0.01, 0.01, 0.01), Point3(0.7, 0.7, 1.1)}) {
+    SCOPED_TRACE(step.transpose());
+    Points lattice = lattice_box({12, 11, 10});
+    for (Point3& p : lattice) p = p.cwiseProduct(step);
+    const auto points = spatial_order(lattice).points;
+    const auto place = [&](VertexId v) -> Point3 {
+      return points[index(v)].cwiseQuotient(step).array().round();
+    };
+    const auto is_middle = [&](VertexId v) {
+      return std::ranges::all_of(place(v),
+                                 [](double x) { return std::fmod(x, 2) == 1; });
+    };
+    for (const auto& round : insertion_rounds(Mesh3(points))) {
+      EXPECT_TRUE(std::ranges::is_partitioned(round, is_middle));
+      const auto others = std::ranges::partition_point(round, is_middle);
+      expect_rising({round.begin(), others}, place);
+      expect_rising({others, round.end()}, place);
+    }
   }
+}
+
+// Two in one place, which the steps from each to the next do not show.
+TEST(InsertionRounds, HoldEachVertexOnceWherePlacesAreShared) {
+  Points points = lattice_box({9, 9, 9});
+  EXPECT_FALSE(all_ascend(insertion_rounds(Mesh3(points))));
+  points.emplace_back(0.2, 0, 0);
+  const Rounds rounds = insertion_rounds(Mesh3(points));
+  EXPECT_TRUE(all_ascend(rounds));
+  std::size_t n = 0;
+  for (const auto& round : rounds) n += round.size();
+  EXPECT_EQ(n, points.size());
 }
 
 }  // namespace

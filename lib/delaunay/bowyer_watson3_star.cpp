@@ -119,7 +119,7 @@ void BowyerWatson3::fill_cavity(VertexId apex) {
   set_star_spheres(p, {spokes_, corners_, {star_.data(), n}}, cells_);
   if (n_rim_ > kLinkTableSide)
     link_large_star();
-  else if (infinite_site_.rim_number >= Site::rim_of(apex))
+  else if (infinite_site_.rim_number >> 32U == index(apex))
     link_star([this](std::size_t k) { return slots(k); });
   else
     link_star([](std::size_t) { return kFiniteSlots; });

@@ -9,9 +9,11 @@
 /// they only keep the cells before the front from getting large.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <limits>
 #include <optional>
 #include <span>
 
@@ -25,88 +27,89 @@ using Vertices = std::vector<VertexId>;
 using Sites = std::span<const Mesh3::Site>;
 
 constexpr unsigned kBlockBits = 4;
-constexpr std::int64_t kBlockSide = 1 << kBlockBits;
+constexpr std::size_t kBlockSide = 1 << kBlockBits;
 constexpr std::size_t kBlockSize = 1 << (3 * kBlockBits);
 
 /// Bit i goes to bit 3 i.
-constexpr std::array<std::uint32_t, kBlockSide> kSpread = [] {
-  std::array<std::uint32_t, kBlockSide> spread{};
-  for (std::uint32_t x = 0; x < kBlockSide; ++x)
+constexpr std::array<std::size_t, kBlockSide> kSpread = [] {
+  std::array<std::size_t, kBlockSide> spread{};
+  for (std::size_t x = 0; x < kBlockSide; ++x)
     for (unsigned i = 0; i < kBlockBits; ++i)
       spread[x] |= (x >> i & 1U) << (3 * i);
   return spread;
 }();
 
-/// The places of a box of a lattice, cut into blocks: those of a block have
-/// consecutive numbers.
+/// The places of a lattice along the axes, cut into blocks: those of a block
+/// have consecutive numbers. Nothing depends on it but an order, so its
+/// coordinates may be rounded.
 class Places {
  public:
-  Places(Sites sites, double unit) : unit_(unit) {
-    low_ = units(sites[0]);
-    high_ = low_;
-    for (const Mesh3::Site& s : sites) {
-      const auto at = units(s);
+  /// On a full lattice most sites are one step from the next along the curve.
+  explicit Places(Sites sites) {
+    low_ = high_ = sites[0].at;
+    step_.fill(std::numeric_limits<double>::infinity());
+    for (std::size_t i = 0; i < sites.size(); ++i)
       for (std::size_t k = 0; k < 3; ++k) {
-        low_[k] = std::min(low_[k], at[k]);
-        high_[k] = std::max(high_[k], at[k]);
+        const double x = sites[i].at[k];
+        const double step = std::abs(x - sites[i == 0 ? 0 : i - 1].at[k]);
+        low_[k] = std::min(low_[k], x);
+        high_[k] = std::max(high_[k], x);
+        if (step > 0) step_[k] = std::min(step_[k], step);
       }
-    }
+    for (std::size_t k = 0; k < 3; ++k)
+      n_blocks_[k] = std::floor(steps(high_, k) / kBlockSide) + 1;
   }
 
   /// How many there are, unless more than `most`.
   std::optional<std::size_t> size(std::size_t most) const {
-    double n = kBlockSize;
-    for (std::size_t k = 0; k < 3; ++k) n *= static_cast<double>(n_blocks(k));
-    if (n > static_cast<double>(most)) return std::nullopt;
+    const double n = kBlockSize * n_blocks_[0] * n_blocks_[1] * n_blocks_[2];
+    if (!(n <= static_cast<double>(most))) return std::nullopt;
     return static_cast<std::size_t>(n);
   }
 
   /// Ascending along a Morton curve from block to place, but first those in a
   /// block with three odd coordinates.
+  /// @pre size() is a number
   std::size_t number(const Mesh3::Site& site) const {
-    const auto at = units(site);
-    std::int64_t block = 0;
-    std::uint32_t along_curve = 0;
+    std::size_t block = 0;
+    std::size_t along_curve = 0;
     for (std::size_t k = 0; k < 3; ++k) {
-      const std::int64_t x = at[k] - low_[k];
-      block = block * n_blocks(k) + x / kBlockSide;
+      const auto x = static_cast<std::uint32_t>(steps(site.at, k));
+      block = block * static_cast<std::uint32_t>(n_blocks_[k]) + x / kBlockSide;
       along_curve = along_curve << 1U | kSpread[x % kBlockSide];
     }
     // Every eighth place along the curve, the last of its cube, is odd.
-    const std::uint32_t n_odd = along_curve / 8;
+    const std::size_t n_odd = along_curve / 8;
     const bool is_odd = along_curve % 8 == 7;
-    return static_cast<std::size_t>(block) * kBlockSize +
+    return block * kBlockSize +
            (is_odd ? n_odd : kBlockSize / 8 + along_curve - n_odd);
   }
 
  private:
-  using Units = std::array<std::int64_t, 3>;
+  using Coordinates = std::array<double, 3>;
 
-  Units units(const Mesh3::Site& site) const {
-    Units at;
-    for (std::size_t k = 0; k < 3; ++k)
-      at[k] = static_cast<std::int64_t>(site.at[k] / unit_);
-    return at;
-  }
-  std::int64_t n_blocks(std::size_t k) const {
-    return (high_[k] - low_[k]) / kBlockSide + 1;
+  /// From the lowest place, and half a step.
+  double steps(const Coordinates& at, std::size_t k) const {
+    return (at[k] - low_[k]) / step_[k] + 0.5;
   }
 
-  double unit_;
-  Units low_, high_;
+  Coordinates low_, high_, step_, n_blocks_;
 };
 
-/// All vertices by their places; none if most places are empty.
-/// @param unit  of the lattice on which the sites lie
-Vertices along_lattice(Sites sites, double unit) {
+/// All vertices by their places; none if most places are empty, or the sites
+/// are too uneven to have one each.
+Vertices along_lattice(Sites sites) {
   constexpr std::size_t kMostPlaces = 8;  // for each site
-  const Places places(sites, unit);
+  const Places places(sites);
   const auto n_places = places.size(kMostPlaces * sites.size());
   if (!n_places) return {};
   LazyVector<VertexId> vertex_at(*n_places);
   std::ranges::fill(vertex_at, kInfinite);
-  for (std::uint32_t v = 0; v < sites.size(); ++v)
-    vertex_at[places.number(sites[v])] = VertexId{v};
+  for (std::uint32_t v = 0; v < sites.size(); ++v) {
+    VertexId& here = vertex_at[places.number(sites[v])];
+    if (here != kInfinite) return {};
+    here = VertexId{v};
+  }
   Vertices order;
   order.reserve(sites.size());
   std::ranges::copy_if(vertex_at, std::back_inserter(order),
@@ -129,8 +132,7 @@ std::vector<Vertices> cut_where_it_descends(const Vertices& order) {
 std::vector<Vertices> insertion_rounds(const Mesh3& mesh) {
   constexpr unsigned kLog2LatticeGrowth = 5;
   const Sites sites = mesh.sites;
-  const double unit = mesh.lattice.unit();
-  const Vertices curve = unit == 0 ? Vertices{} : along_lattice(sites, unit);
+  const Vertices curve = along_lattice(sites);
   if (curve.empty())
     return cut_where_it_descends(insertion_order(sites.size()));
   auto rounds =

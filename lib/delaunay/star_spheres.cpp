@@ -42,7 +42,7 @@ Lanes dot(const Vectors& a, const Vectors& b) {
 Lanes max(const Lanes& a, const Lanes& b) { return a > b ? a : b; }
 
 /// @param least_r2  smaller spheres are not certain
-Spheres spheres(const double* p, double least_r2,
+Spheres spheres(const Vectors& p, double least_r2,
                 const std::array<Corner, 3>& corner) {
   constexpr double kMaxFlatness2 = 0x1p41;
   constexpr double kMargin = 0x1p-22;
@@ -60,7 +60,7 @@ Spheres spheres(const double* p, double least_r2,
       (u.norm2 * vw.y + v.norm2 * wu.y + w.norm2 * uv.y) * scale,
       (u.norm2 * vw.z + v.norm2 * wu.z + w.norm2 * uv.z) * scale};
   const Lanes r2 = dot(o, o);
-  const Vectors c = {p[0] + o.x, p[1] + o.y, p[2] + o.z};
+  const Vectors c = {p.x + o.x, p.y + o.y, p.z + o.z};
   const Lanes l2 = max(max(u.norm2, v.norm2), w.norm2);
   const auto good = (l2 * l2 * l2 < kMaxFlatness2 * (det * det)) &
                     (least_r2 < r2) & (r2 < 0x1p120);
@@ -89,6 +89,8 @@ void set_star_spheres(const double* apex, const Star& star, Cell* all) {
   const double* p = apex;
   const double least_r2 = std::max(
       0x1p-120, kMinRadius2 * (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]));
+  const Vectors twice = {Lanes{p[0], p[0]}, Lanes{p[1], p[1]},
+                         Lanes{p[2], p[2]}};
   const std::size_t n = star.cells.size();
   for (std::size_t k = 0; k < n; k += 2) {
     const std::size_t l = std::min(k + 1, n - 1);
@@ -96,7 +98,7 @@ void set_star_spheres(const double* apex, const Star& star, Cell* all) {
     for (std::size_t i = 0; i < 3; ++i)
       corner[i] = side_by_side(star.spokes[star.corners[k][i]],
                                star.spokes[star.corners[l][i]]);
-    const Spheres s = spheres(apex, least_r2, corner);
+    const Spheres s = spheres(twice, least_r2, corner);
     write(all[index(star.cells[k])], s, 0);
     write(all[index(star.cells[l])], s, 1);
   }

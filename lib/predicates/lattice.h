@@ -16,9 +16,6 @@ class Lattice {
   /// @param unit  a power of two from 2^-150 to 2^150
   explicit Lattice(double unit) : unit_(unit) {}
 
-  /// 0 if there is no lattice.
-  double unit() const { return unit_; }
-
   /// The same signs as of the functions of these names.
   int orient3d(const double* a, const double* b, const double* c,
                const double* d) const;
