@@ -58,7 +58,7 @@ class TrianglesAt {
   std::vector<std::uint8_t> is_here_;
   // Lists of 3 t + i: corner i of triangle t is the vertex.
   std::vector<std::uint32_t> first_;
-  delaunay::LazyVector<std::uint32_t> next_;
+  delaunay::UnsetVector<std::uint32_t> next_;
 };
 
 std::vector<VertexId> all_vertices(std::size_t n) {

@@ -13,7 +13,7 @@
 
 namespace umbrella {
 
-using FacetList = delaunay::LazyVector<FacetPoints>;
+using FacetList = std::vector<FacetPoints>;
 
 /// Facets are sorted by their lowest corners; the rest of the order is made
 /// where they are asked for, a few vertices at a time.
@@ -57,7 +57,7 @@ class FacetsByCorners {
  private:
   FacetList facets_;
   std::vector<std::uint32_t> first_;  // of a lowest corner
-  delaunay::LazyVector<std::uint32_t> by_lowest_;
+  delaunay::UnsetVector<std::uint32_t> by_lowest_;
 };
 
 }  // namespace umbrella

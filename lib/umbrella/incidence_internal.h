@@ -51,7 +51,7 @@ class Incidence {
 
  private:
   std::vector<std::uint32_t> first_;
-  delaunay::LazyVector<TriangleIndex> triangles_;
+  delaunay::UnsetVector<TriangleIndex> triangles_;
 };
 
 }  // namespace umbrella

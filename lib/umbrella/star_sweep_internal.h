@@ -78,7 +78,7 @@ class StarSweep {
   // Lists of those that wait for a vertex: 2 t for its middle corner, 2 t + 1
   // for its last.
   std::vector<std::uint32_t> first_link_;  // of a vertex, from begin_ on
-  delaunay::LazyVector<std::uint32_t> next_link_;
+  delaunay::UnsetVector<std::uint32_t> next_link_;
   // The star at hand and its keys, and room for more.
   std::size_t room_ = 0;
   std::vector<StarTriangle> star_;
