@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numeric>
 
 #include "umbrella/certificate_internal.h"
@@ -222,7 +223,9 @@ class UmbrellaCheck {
  public:
   UmbrellaCheck(std::size_t n_vertices,
                 std::span<const IndexedTriangle> triangles)
-      : first_(n_vertices + 1), sides_(3 * triangles.size()) {
+      : first_(n_vertices + 1),
+        sides_(std::make_unique_for_overwrite<IndexedEdge[]>(
+            3 * triangles.size())) {
     for (const IndexedTriangle& t : triangles)
       for (const std::uint32_t v : t) ++first_[v];
     std::partial_sum(first_.begin(), first_.end(), first_.begin());
@@ -253,8 +256,7 @@ class UmbrellaCheck {
   /// @param links  by neighbour
   bool is_umbrella(std::uint32_t v, std::vector<Link>& links) const {
     constexpr std::size_t kLeast = 3;
-    const auto sides =
-        std::span(sides_).subspan(first_[v], first_[v + 1] - first_[v]);
+    const std::span sides(&sides_[first_[v]], first_[v + 1] - first_[v]);
     for (const auto& [from, to] : sides) {
       if (from == v || links[from].center == v) return false;
       links[from] = {v, to};
@@ -274,8 +276,8 @@ class UmbrellaCheck {
     return w == start && n_at_start == 1 && !has_left && sides.size() >= kLeast;
   }
 
-  std::vector<std::uint32_t> first_;  // of a vertex: its part of sides_
-  std::vector<IndexedEdge> sides_;    // opposite the vertex
+  std::vector<std::uint32_t> first_;      // of a vertex: its part of sides_
+  std::unique_ptr<IndexedEdge[]> sides_;  // opposite the vertex
 };
 
 /// Of each triangle: its component, counted from 0.
