@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "apps/shapes.h"
@@ -62,15 +63,24 @@ void ranks(benchmark::State& state, const char* shape) {
 
 void filter(benchmark::State& state, const char* shape) {
   const Stages s(shape, state.range(0));
-  for (auto _ : state)
-    benchmark::DoNotOptimize(umbrella::umbrella_filter(s.n, s.ranked));
+  for (auto _ : state) {
+    state.PauseTiming();
+    auto ranked = s.ranked;
+    state.ResumeTiming();
+    benchmark::DoNotOptimize(umbrella::umbrella_filter(s.n, std::move(ranked)));
+  }
   count_points(state);
 }
 
 void clean_up(benchmark::State& state, const char* shape) {
   const Stages s(shape, state.range(0));
-  for (auto _ : state)
-    benchmark::DoNotOptimize(umbrella::clean_up(s.n, s.filtered.triangles));
+  for (auto _ : state) {
+    state.PauseTiming();
+    auto filtered = s.filtered;
+    state.ResumeTiming();
+    benchmark::DoNotOptimize(umbrella::clean_up(
+        s.n, std::move(filtered.triangles), {}, filtered.unsettled));
+  }
   count_points(state);
 }
 

@@ -117,6 +117,18 @@ TEST(PaperCriterion, OrdersDecimalsAsExactNumbersDo) {
   }
 }
 
+// Off the hull squared lambdas are no zeros, though no double is so small.
+TEST(PaperCriterion, OrdersNumbersThatUnderflow) {
+  std::mt19937_64 rng(23);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (const double height : {1e-150, 1e-162, 1e-170}) {
+    SCOPED_TRACE(height);
+    std::vector<Point3> points(40);
+    for (Point3& p : points) p = {unit(rng), unit(rng), height * unit(rng)};
+    expect_exact_order(Triangulation3(points));
+  }
+}
+
 TEST(PaperCriterion, GivesEqualRanksToEqualNumbers) {
   const Triangulation3 t(tests::make_points<3>(Family::Grid, 60, 3));
   const RankedTriangles ranked = ranked_triangles(t);
@@ -135,9 +147,11 @@ TEST(RankedTriangles, DoNotDependOnTheOrderOfThePoints) {
   for (const Family family : tests::kFamilies) {
     SCOPED_TRACE(name(family));
     auto points = tests::make_points<3>(family, 25, 1);
-    const auto expected = ranked_triangles(Triangulation3(points));
+    const Triangulation3 before(points);
     std::shuffle(points.begin(), points.end(), rng);
-    const auto ranked = ranked_triangles(Triangulation3(points));
+    const Triangulation3 after(points);
+    const auto expected = tests::in_order(ranked_triangles(before));
+    const auto ranked = tests::in_order(ranked_triangles(after));
     ASSERT_EQ(ranked.size(), expected.size());
     for (std::size_t i = 0; i < ranked.size(); ++i) {
       EXPECT_EQ(ranked[i].corners, expected[i].corners);

@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <numeric>
 #include <random>
 #include <span>
@@ -94,8 +96,11 @@ void expect_exact_order(const Ranks& ranks, const RankedTriangles& triangles) {
   }
 }
 
-/// All at once.
-void expect_same_order_at_once(const RankedTriangles& triangles) {
+/// All at once, each asked once.
+///
+/// @param n_asked  as the order counts
+void expect_same_order_at_once(const RankedTriangles& triangles,
+                               const std::size_t& n_asked) {
   std::vector<TriangleIndex> at_once(triangles.size());
   std::iota(at_once.begin(), at_once.end(), TriangleIndex{0});
   std::vector<TriangleIndex> one_by_one = at_once;
@@ -103,10 +108,12 @@ void expect_same_order_at_once(const RankedTriangles& triangles) {
             [&](TriangleIndex a, TriangleIndex b) {
               return triangles.order().before(triangles[a], triangles[b]);
             });
+  const std::size_t n_before = n_asked;
   triangles.order().sort(
       at_once,
       [&](TriangleIndex t) -> const RankedTriangle& { return triangles[t]; });
   EXPECT_EQ(at_once, one_by_one);
+  EXPECT_EQ(n_asked - n_before, triangles.size());
 }
 
 TEST(RankOrder, GivesNearNumbersTheOrderOfTheExactOnes) {
@@ -118,7 +125,7 @@ TEST(RankOrder, GivesNearNumbersTheOrderOfTheExactOnes) {
     const RankedTriangles triangles = ranks.with_order(n_asked);
     expect_exact_order(ranks, triangles);
     EXPECT_GT(n_asked, 1000U);
-    expect_same_order_at_once(triangles);
+    expect_same_order_at_once(triangles, n_asked);
   }
 }
 
@@ -134,7 +141,7 @@ TEST(RankOrder, OrdersTheSecondariesAtZero) {
   const RankedTriangles triangles = ranks.with_order(n_asked);
   expect_exact_order(ranks, triangles);
   EXPECT_GT(n_asked, 0U);
-  expect_same_order_at_once(triangles);
+  expect_same_order_at_once(triangles, n_asked);
 }
 
 TEST(RankOrder, AsksNothingWhereAllStandApart) {
@@ -145,6 +152,15 @@ TEST(RankOrder, AsksNothingWhereAllStandApart) {
   std::size_t n_asked = 0;
   expect_exact_order(ranks, ranks.with_order(n_asked));
   EXPECT_EQ(n_asked, 0U);
+}
+
+TEST(RankOrder, ComparesInfiniteRanksExactly) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Ranks ranks;
+  for (const std::int64_t n : {3, 1, 2})
+    ranks.add({ExactRatio(), ExactRatio(n, 1, 1100)}, {0, kInfinity});
+  std::size_t n_asked = 0;
+  expect_exact_order(ranks, ranks.with_order(n_asked));
 }
 
 TEST(RankOrder, TakesRanksAsTheyAreWithoutExactOnes) {
@@ -161,32 +177,45 @@ TEST(RankOrder, TakesRanksAsTheyAreWithoutExactOnes) {
     EXPECT_LT(triangles[sorted[i - 1]].rank, triangles[sorted[i]].rank);
 }
 
-/// Triangles of few points whose ranks doubles cannot tell apart, some of them
-/// equal: as small numbers in their place, and blurred.
+/// Triangles of few points with ranks in clusters, which doubles tell apart,
+/// but not the ranks within one. Some primaries are zero.
 struct Blurred {
-  std::vector<RankedTriangle> plain, rounded;
+  std::vector<RankedTriangle> rounded;
+  std::vector<RankedTriangle> plain;  ///< places in the exact order for ranks
 
-  Blurred(std::size_t n_vertices, double part, std::mt19937_64& rng)
-      : plain(tests::random_complex(n_vertices, part, rng())), rounded(plain) {
-    for (std::uint32_t i = 0; i < plain.size(); ++i) {
-      plain[i].rank.secondary = 0;
+  /// @param scale  of the rounded primaries, a power of two
+  Blurred(std::size_t n_vertices, double part, double scale,
+          std::mt19937_64& rng)
+      : rounded(tests::random_complex(n_vertices, part, rng())) {
+    // Half way between two floats: near ranks may differ there.
+    constexpr std::int64_t kBase = (1LL << 50U) + (1LL << 26U);
+    const std::uint64_t n_clusters = 1 + rng() % 8;
+    const auto number = [&] {
+      return kBase +
+             static_cast<std::int64_t>((rng() % n_clusters << 19U) + rng() % 6);
+    };
+    for (std::uint32_t i = 0; i < rounded.size(); ++i) {
+      exact.push_back({rng() % 4 == 0 ? 0 : number(), number()});
       rounded[i].facet = delaunay::Facet(delaunay::CellId{i}, 0);
-      rounded[i].rank = {blurred(exact(i), 1, 0, rng), 0};
+      rounded[i].rank = {scale * blurred(exact[i][0], 1, 0, rng),
+                         blurred(exact[i][1], 1, 0, rng)};
     }
+    plain = rounded;
+    for (std::uint32_t i = 0; i < rounded.size(); ++i)
+      plain[i].rank = {static_cast<double>(std::ranges::count_if(
+                           exact, [&](const auto& e) { return e < exact[i]; })),
+                       0};
   }
   RankedTriangles with_order() const {
-    return RankedTriangles(rounded, RankOrder([this](delaunay::Facet facet) {
-                             return ExactRank{
-                                 ExactRatio(exact(index(facet.cell())), 1, 0),
-                                 ExactRatio()};
-                           }));
+    return RankedTriangles(
+        rounded, RankOrder([this](delaunay::Facet facet) {
+          const auto& [n, m] = exact[index(facet.cell())];
+          return ExactRank{ExactRatio(n, 1, 0), ExactRatio(m, 1, 0)};
+        }));
   }
 
  private:
-  std::int64_t exact(std::size_t i) const {
-    return (std::int64_t{1} << 50U) +
-           static_cast<std::int64_t>(plain[i].rank.primary);
-  }
+  std::vector<std::array<std::int64_t, 2>> exact;
 };
 
 std::vector<Triangle> corners_of(std::span<const RankedTriangle> triangles) {
@@ -198,11 +227,13 @@ std::vector<Triangle> corners_of(std::span<const RankedTriangle> triangles) {
 TEST(RankOrder, DecidesWhatTheFilterTakes) {
   std::mt19937_64 rng(11);
   std::size_t n_different = 0;
-  // Few triangles at a vertex, and so many that they are sorted.
+  // Few triangles at a vertex, and so many that they are sorted. The last two
+  // scales are too small and too large for a float.
+  constexpr std::array kScales = {1.0, 0x1p-190, 0x1p+900};
   for (const std::size_t n_vertices : {7, 12})
-    for (int trial = 0; trial < 100; ++trial) {
+    for (int trial = 0; trial < 300; ++trial) {
       SCOPED_TRACE(testing::Message() << n_vertices << " points, " << trial);
-      const Blurred ranks(n_vertices, 0.7, rng);
+      const Blurred ranks(n_vertices, 0.7, kScales[trial % 3], rng);
       const auto exact =
           umbrella_filter(n_vertices, RankedTriangles(ranks.plain));
       const auto found = umbrella_filter(n_vertices, ranks.with_order());
@@ -221,7 +252,7 @@ TEST(RankOrder, DecidesWhatTheCleanUpDeletes) {
   std::size_t n_different = 0;
   for (int trial = 0; trial < 200; ++trial) {
     SCOPED_TRACE(testing::Message() << "trial " << trial);
-    const Blurred ranks(kVertices, 0.4, rng);
+    const Blurred ranks(kVertices, 0.4, 1, rng);
     const auto exact = clean_up(kVertices, RankedTriangles(ranks.plain));
     const auto found = clean_up(kVertices, ranks.with_order());
     const auto rounded = clean_up(kVertices, RankedTriangles(ranks.rounded));

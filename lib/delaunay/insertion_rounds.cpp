@@ -16,6 +16,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "delaunay/insertion_rounds_internal.h"
 #include "delaunay/spatial_sort.h"

@@ -31,7 +31,7 @@ class Crew {
   Crew(Mesh3& mesh, const InsertionOptions& options);
 
   void start(const std::array<VertexId, 4>& first);
-  /// @param round  ascending
+  /// @param round  in the order of insertion
   void insert(std::span<const VertexId> round);
   std::size_t finish();
 

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cassert>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -325,6 +326,7 @@ std::vector<std::uint32_t> first_rows(std::size_t n_points,
 }
 
 std::vector<VertexId> insertion_order(std::size_t n, unsigned log2_growth) {
+  assert(log2_growth > 0);
   static constexpr std::size_t kFirstRound = 512;
   unsigned last = 0;
   for (std::size_t m = n; m > kFirstRound; m >>= log2_growth) ++last;

@@ -44,8 +44,9 @@ std::vector<std::uint32_t> first_rows(std::size_t n_points,
 /// growing size, each round a pseudo-random subset in ascending order.
 /// Depends on the arguments alone.
 ///
-/// @param log2_growth  a round holds 2^log2_growth times the vertices of all
-///   rounds before it
+/// @param log2_growth  a round and those before it together hold 2^log2_growth
+///   times the vertices of those before it
+/// @pre log2_growth > 0
 std::vector<VertexId> insertion_order(std::size_t n, unsigned log2_growth = 3);
 
 }  // namespace delaunay

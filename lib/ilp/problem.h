@@ -47,7 +47,8 @@ class Problem {
 
   /// The same with pairs of the problem as nodes: a and b are their numbers. A
   /// solver need not find out then which pair is where.
-  /// @throws std::invalid_argument  unknown or repeated variable or pair
+  /// @throws std::invalid_argument  unknown or repeated variable, unknown pair,
+  ///   or a == b
   /// @pre each pair holds the spokes at it and no others
   ConstraintId add_ring_of_pairs(std::span<const Spoke> spokes,
                                  bool optional = false);

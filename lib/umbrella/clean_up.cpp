@@ -102,6 +102,9 @@ class CleanUp {
         is_waiting_(triangles_.size()),
         worst_first_(RanksBefore{&triangles_}) {}
 
+  CleanUp(const CleanUp&) = delete;  // the heap looks at triangles_
+  CleanUp& operator=(const CleanUp&) = delete;
+
   /// @param dirty  the unsettled vertices
   void delete_types_2_and_3(std::vector<VertexId> dirty);
   void dissolve_pieces(std::size_t largest);

@@ -27,7 +27,6 @@ class VertexNumbers {
     for (std::uint32_t i = 0; i < vertices_.size(); ++i)
       number_[index(vertices_[i])] = i;
   }
-  std::span<const VertexId> vertices() const { return vertices_; }
   bool contains(VertexId v) const {
     const std::uint32_t i = number_[index(v)];
     return i < vertices_.size() && vertices_[i] == v;
@@ -92,8 +91,7 @@ class ClosingProgram {
   using Edge = std::array<VertexId, 2>;
   /// Corners of a triangle by their place in nodes_; ascending.
   using Member = std::array<std::uint32_t, 3>;
-  /// A triangle, three times its number and more, with one of its sides; then
-  /// their pair.
+  /// By side, 3 triangle + side: the number of its pair.
   using PairOfSide = std::vector<std::uint32_t>;
 
   void sort_triangles(const WorkingSurface& surface,

@@ -26,7 +26,7 @@ struct LambdaCriterion {
 struct CircumradiusCriterion {
   bool admissible(const DelaunayTriangle& t) const { return t.is_gabriel(); }
   Rank rank(const DelaunayTriangle& t) const {
-    return {t.squared_circumradius(), t.squared_lambda_lower()};
+    return {rankable(t.squared_circumradius()), t.squared_lambda_lower()};
   }
   ExactRank exact_rank(const DelaunayTriangle& t) const {
     return {t.squared_circumradius_ratio(), t.squared_lambda_lower_ratio()};

@@ -31,10 +31,9 @@ concept Criterion = requires(const C& c, const DelaunayTriangle& t) {
   { c.rank(t) } -> std::convertible_to<Rank>;
 };
 
-/// A criterion whose rank() is good to a part of kNearTie / 2 only, and which
-/// can say it exactly: the order is then the one of exact_rank(), which several
-/// threads ask for. Ranks must not be negative, and a primary of zero must be
-/// exact.
+/// A criterion whose rank() is good to a part of kNearTie / 2, or rankable(),
+/// and which can say it exactly: the order is the one of exact_rank(), which
+/// several threads ask for. No rank is negative; a primary of zero is exact.
 template <class C>
 concept ExactCriterion = Criterion<C> &&
     requires(const C& c, const DelaunayTriangle& t) {
@@ -47,7 +46,9 @@ concept ExactCriterion = Criterion<C> &&
 struct PaperCriterion {
   bool admissible(const DelaunayTriangle& t) const { return t.is_gabriel(); }
   Rank rank(const DelaunayTriangle& t) const {
-    return {t.squared_lambda_lower(), t.squared_circumradius()};
+    const double lambda2 = t.squared_lambda_lower();
+    return {lambda2 == 0 && t.on_hull() ? 0 : rankable(lambda2),
+            rankable(t.squared_circumradius())};
   }
   ExactRank exact_rank(const DelaunayTriangle& t) const {
     return {t.squared_lambda_lower_ratio(), t.squared_circumradius_ratio()};
@@ -105,6 +106,7 @@ std::vector<RankedTriangle> ranked(
 /// The order of a criterion's ranks; exact if it can say them exactly.
 ///
 /// @param triangulation  must outlive the order
+/// @param criterion  the order keeps a copy
 template <Criterion C>
 RankOrder rank_order(const delaunay::Triangulation3& triangulation,
                      const Circumspheres& spheres, const C& criterion) {

@@ -1,9 +1,9 @@
 // Kruskal at every vertex: the first edge that closes a cycle ends it. Nearly
 // always all triangles taken so far are on that cycle, which is seen by
-// following paths. If not, union-find over the link graph tells the edge, and
-// peeling leaves off what was taken leaves the cycle alone. The paper searches
-// the graph anew after each triangle; this is near linear in all. The usual few
-// triangles are sorted without a jump that depends on them.
+// counting nodes and one walk around. If not, union-find over the link graph
+// tells the edge, and peeling leaves off what was taken leaves the cycle alone.
+// The paper searches the graph anew after each triangle; this is near linear in
+// all. The usual few triangles are sorted without a jump that depends on them.
 #include "umbrella/filter.h"
 
 #include <algorithm>

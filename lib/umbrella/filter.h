@@ -23,8 +23,8 @@ struct FilterResult {
   std::optional<std::vector<VertexId>> unsettled;
 };
 
-/// Takes the triangles at each vertex v in their order until
-/// they hold an umbrella: a cycle in the graph G_v, which joins p and q for
+/// Takes the triangles at each vertex v in their order until they hold an
+/// umbrella: a cycle in the graph G_v, which joins p and q for
 /// each triangle v p q. One edge closes the first cycle, so the umbrella is
 /// unique; the other triangles taken at v are dropped again.
 ///

@@ -38,7 +38,8 @@ class TriangleSet {
   std::vector<std::uint32_t> first_;  // of those with this lowest corner
 };
 
-/// The paper's ranks, of the triangles of a set.
+/// The paper's ranks, of the triangles of a set. Says none exactly, for the
+/// order would outlive the set.
 struct GivenCriterion {
   const TriangleSet* faces = nullptr;
   bool admissible(const DelaunayTriangle& t) const {
@@ -75,11 +76,9 @@ GivenFaces locate_faces(const delaunay::Triangulation3& triangulation,
   const TriangleSet set(triangulation.points().size(), std::move(proper));
   counts.duplicates = faces.size() - counts.degenerate - set.size();
 
-  const RankedTriangles found =
-      ranked_triangles(triangulation, spheres, GivenCriterion{&set});
-  result.triangles =
-      RankedTriangles({found.begin(), found.end()},
-                      rank_order(triangulation, spheres, PaperCriterion{}));
+  result.triangles = RankedTriangles(
+      ranked_triangles(triangulation, spheres, GivenCriterion{&set}).list(),
+      rank_order(triangulation, spheres, PaperCriterion{}));
   counts.kept = result.triangles.size();
   counts.not_delaunay = set.size() - counts.kept;
   return result;

@@ -30,7 +30,7 @@ struct GivenFaces {
 
 /// Finds faces among the Delaunay triangles, and ranks them as the paper does.
 ///
-/// @param triangulation  of dimension 3
+/// @param triangulation  of dimension 3; must outlive the triangles' order
 /// @param faces  rows of the points that the triangulation was made from;
 ///   in any order and orientation, perhaps no surface at all
 /// @throws std::invalid_argument  a face names a row that is not there

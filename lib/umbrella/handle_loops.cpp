@@ -2,6 +2,7 @@
 // the boundary of each piece bounds. By the exact sequence of the pair these
 // are all relations that the triangles here do not know of themselves.
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "umbrella/disjoint_sets_internal.h"

@@ -13,8 +13,6 @@
 
 namespace umbrella {
 
-/// Position of a triangle in the array at hand.
-
 /// The triangle seen from its corner v: the edge of the link graph G_v.
 using LinkEdge = std::array<VertexId, 2>;
 

@@ -183,14 +183,15 @@ std::size_t Repair::bring_in() {
 /// @param loops  what the search has found on the surface as it is; none if it
 ///   has not looked
 std::size_t Repair::remove_handles(HandleLoops& search, Loops loops) {
-  if (loops.empty() && !is_over() && has_handles())
+  const auto goes_on = [this] { return !is_over() && has_handles(); };
+  if (loops.empty() && goes_on())
     loops = search.all(surface_.n_vertices(), triangles());
   std::size_t n_removed = 0;
-  while (!is_over() && has_handles()) {
+  while (goes_on()) {
     const std::size_t n = remove_some_handles(loops);
     if (n == 0) break;
     n_removed += n;
-    loops = search.about(surface_, changed_);
+    if (goes_on()) loops = search.about(surface_, changed_);
   }
   return n_removed;
 }

@@ -46,6 +46,8 @@ std::vector<LocatedTriangle> method_triangles(
 
 /// The same as if the filter had chosen them: ranked as the paper does, for the
 /// clean-up, with the vertices around which they hold no umbrella.
+///
+/// @param triangulation  must outlive the triangles' order
 FilterResult method_filter(const Method& method,
                            const delaunay::Triangulation3& triangulation,
                            const Circumspheres& spheres);

@@ -6,7 +6,8 @@
 namespace umbrella {
 
 bool RankOrder::is_near(double x, double y) {
-  return std::abs(x - y) <= kNearTie * std::max(x, y);
+  // Two that are infinite are.
+  return !(std::abs(x - y) > kNearTie * std::max(x, y));
 }
 
 bool RankOrder::is_near_tie(const Rank& a, const Rank& b) {

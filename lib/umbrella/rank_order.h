@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -18,6 +19,14 @@ namespace umbrella {
 /// Twice what a rank may be off by, relatively.
 inline constexpr double kNearTie = 0x1p-32;
 
+/// A number that is off by a small part of itself, as a rank holds it: what is
+/// so small or large that a double may not be that good, or is 0, becomes
+/// equal, and is then told apart exactly. For zeros that are exact see below.
+inline double rankable(double x) {
+  constexpr double kLeast = 0x1p-960, kMost = 0x1p+960;
+  return std::clamp(x, kLeast, kMost);
+}
+
 /// Which of two triangles goes first. Doubles tell of nearly all; the others
 /// are asked for their exact ranks when they are compared, so that ties cost
 /// nothing where nobody looks at them. May be used by several threads.
@@ -26,8 +35,8 @@ class RankOrder {
   /// Ranks are exact.
   RankOrder() = default;
 
-  /// Ranks are off by less than kNearTie / 2, are not negative, and a primary
-  /// of zero is exact.
+  /// Ranks are off by less than kNearTie / 2 or rankable(), are not negative,
+  /// and a primary of zero is exact.
   ///
   /// @param exact  the rank before rounding of the triangle that is this facet
   explicit RankOrder(std::function<ExactRank(delaunay::Facet)> exact)
@@ -52,9 +61,10 @@ class RankOrder {
   /// Puts items in the order of their triangles, each of which is asked once
   /// for its exact rank.
   ///
-  /// @param triangle_of  the triangle of an item
+  /// @param triangle_of  the triangle of an item, which stays where it is
   template <class TriangleOf>
   void sort(std::span<std::uint32_t> items, TriangleOf triangle_of) const {
+    static_assert(std::is_lvalue_reference_v<decltype(triangle_of(0))>);
     std::vector<Keyed> keyed;
     for (const std::uint32_t item : items)
       keyed.push_back(with_key(triangle_of(item), item));
@@ -93,7 +103,6 @@ class RankedTriangles {
   }
   std::size_t size() const { return triangles_.size(); }
   bool empty() const { return triangles_.empty(); }
-  const RankedTriangle* data() const { return triangles_.data(); }
   /// Without their order.
   std::vector<RankedTriangle> list() && { return std::move(triangles_); }
   auto begin() const { return triangles_.begin(); }

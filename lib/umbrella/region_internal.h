@@ -46,7 +46,8 @@ class CellSet {
 
   /// Puts the cells at these vertices in place of those before.
   void collect(std::span<const VertexId> vertices);
-  /// Calls visit(id, cell) for each of them.
+  /// Calls visit(id, cell) for each of them. Defined in region.cpp, for it
+  /// alone.
   template <class Visit>
   void collect(std::span<const VertexId> vertices, Visit visit);
 
