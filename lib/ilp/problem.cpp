@@ -118,18 +118,20 @@ ConstraintId Problem::add_pair(std::span<const VarId> vars) {
 
 ConstraintId Problem::add_ring(std::span<const Spoke> spokes, bool optional) {
   check_spokes(spokes, 2 * spokes.size());
-  const ConstraintId id = add_row(rings_, spokes, ConstraintKind::Ring);
-  is_optional_.push_back(optional);
-  is_of_pairs_.push_back(false);
-  return id;
+  return append_ring(spokes, optional, false);
 }
 
 ConstraintId Problem::add_ring_of_pairs(std::span<const Spoke> spokes,
                                         bool optional) {
   check_spokes(spokes, n_pairs());
+  return append_ring(spokes, optional, true);
+}
+
+ConstraintId Problem::append_ring(std::span<const Spoke> spokes, bool optional,
+                                  bool of_pairs) {
   const ConstraintId id = add_row(rings_, spokes, ConstraintKind::Ring);
   is_optional_.push_back(optional);
-  is_of_pairs_.push_back(true);
+  is_of_pairs_.push_back(of_pairs);
   return id;
 }
 

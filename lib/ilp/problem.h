@@ -94,6 +94,8 @@ class Problem {
 
  private:
   void check_spokes(std::span<const Spoke> spokes, std::size_t n_nodes);
+  ConstraintId append_ring(std::span<const Spoke> spokes, bool optional,
+                           bool of_pairs);
   void check_known(VarId var) const;
   void check_distinct(VarId var);
 

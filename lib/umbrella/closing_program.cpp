@@ -2,14 +2,10 @@
 #include <utility>
 
 #include "umbrella/closing_program_internal.h"
+#include "umbrella/sort_unique_internal.h"
 
 namespace umbrella {
 namespace {
-
-void sort_unique(std::vector<VertexId>& vertices) {
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-}
 
 bool contains(std::span<const LocatedTriangle> ascending, const Triangle& t) {
   const auto found =

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "umbrella/essential_loops_internal.h"
+#include "umbrella/sort_unique_internal.h"
 
 namespace umbrella {
 namespace {
@@ -15,12 +16,6 @@ constexpr std::size_t kBits = 64;
 /// The short ones first.
 bool is_before(const std::vector<VertexId>& a, const std::vector<VertexId>& b) {
   return a.size() != b.size() ? a.size() < b.size() : a < b;
-}
-
-template <class Items, class Before>
-void sort_unique(Items& items, Before before) {
-  std::sort(items.begin(), items.end(), before);
-  items.erase(std::unique(items.begin(), items.end()), items.end());
 }
 
 }  // namespace
@@ -259,7 +254,7 @@ EssentialLoops::Found EssentialLoops::sort_out(std::vector<Loop> loops) {
     first = last;
   }
   sort_unique(found.loops, is_before);
-  sort_unique(found.vertices, std::less<>());
+  sort_unique(found.vertices);
   return found;
 }
 
@@ -314,9 +309,7 @@ EssentialLoops::Loop EssentialLoops::shortest_through(VertexId start,
         vertices.push_back(steps_[at].vertex);
     }
     vertices.push_back(start);
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()),
-                   vertices.end());
+    sort_unique(vertices);
     loop.label = label_of_loop(last[0], last[1], last_edge);
   }
   for (const Step& step : steps_) step_of_vertex_[index(step.vertex)] = kNone;

@@ -7,17 +7,13 @@
 
 #include "umbrella/disjoint_sets_internal.h"
 #include "umbrella/handle_loops_internal.h"
+#include "umbrella/sort_unique_internal.h"
 
 namespace umbrella {
 namespace {
 
 using Seam = EssentialLoops::Seam;
 using Vertices = std::vector<VertexId>;
-
-void sort_unique(Vertices& vertices) {
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-}
 
 /// With all vertices within so many edges; ascending.
 Vertices widened(const WorkingSurface& surface, Vertices vertices,
@@ -79,8 +75,7 @@ class Beyond {
     std::vector<std::uint32_t> roots;
     for (const Seam& seam : seams_) roots.push_back(sets_.root(seam.piece));
     std::vector<std::uint32_t> pieces = roots;
-    std::sort(pieces.begin(), pieces.end());
-    pieces.erase(std::unique(pieces.begin(), pieces.end()), pieces.end());
+    sort_unique(pieces);
     for (std::size_t i = 0; i < seams_.size(); ++i)
       seams_[i].piece = static_cast<std::uint32_t>(
           std::lower_bound(pieces.begin(), pieces.end(), roots[i]) -

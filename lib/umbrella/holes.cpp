@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "umbrella/disjoint_sets_internal.h"
+#include "umbrella/sort_unique_internal.h"
 
 namespace umbrella {
 namespace {
@@ -31,11 +32,6 @@ std::vector<Edge> open_edges(std::span<const RankedTriangle> triangles,
     first = last;
   }
   return open;
-}
-
-void sort_unique(std::vector<VertexId>& vertices) {
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
 }
 
 }  // namespace

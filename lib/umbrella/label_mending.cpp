@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "umbrella/label_mending_internal.h"
+#include "umbrella/sort_unique_internal.h"
 
 namespace umbrella {
 
@@ -107,8 +108,7 @@ void LabelMending::refresh(std::span<const CellId> cells) {
   corners_.clear();
   for (const CellId c : cells)
     for (const VertexId v : labels_.cell(c).vertex) corners_.push_back(v);
-  std::sort(corners_.begin(), corners_.end());
-  corners_.erase(std::unique(corners_.begin(), corners_.end()), corners_.end());
+  sort_unique(corners_);
   for (const VertexId v : corners_) {
     labels_.find_parts(v, parts_);
     faults_[index(v)] = static_cast<std::uint32_t>(parts_.n_faults());
@@ -197,8 +197,7 @@ LabelMending::Effect LabelMending::effect_of(const Cells& cells) {
   corners_.clear();
   for (const CellId c : cells)
     for (const VertexId v : labels_.cell(c).vertex) corners_.push_back(v);
-  std::sort(corners_.begin(), corners_.end());
-  corners_.erase(std::unique(corners_.begin(), corners_.end()), corners_.end());
+  sort_unique(corners_);
   for (const VertexId v : corners_) {
     effect.faults -= faults_[index(v)];
     effect.points_lost += labels_.is_used(v) ? 1 : 0;

@@ -4,6 +4,7 @@
 
 #include "umbrella/disjoint_sets_internal.h"
 #include "umbrella/label_moves_internal.h"
+#include "umbrella/sort_unique_internal.h"
 
 namespace umbrella {
 
@@ -164,8 +165,7 @@ bool LabelMoves::dissolve(std::span<const LocatedTriangle> piece) {
       return false;
     corners.insert(corners.end(), t.corners.begin(), t.corners.end());
   }
-  std::sort(corners.begin(), corners.end());
-  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  sort_unique(corners);
   const Facet facet = piece.front().facet;
   const CellId beyond =
       labels_.cell(facet.cell()).neighbor[facet.index()].cell();

@@ -6,6 +6,7 @@
 #include "umbrella/handle_loops_internal.h"
 #include "umbrella/local_repair_internal.h"
 #include "umbrella/region_solver_internal.h"
+#include "umbrella/sort_unique_internal.h"
 
 namespace umbrella {
 namespace {
@@ -253,8 +254,7 @@ std::vector<VertexId> Repair::ringed(std::span<const VertexId> vertices) const {
       const Triangle& corners = surface_.corners(t);
       result.insert(result.end(), corners.begin(), corners.end());
     });
-  std::sort(result.begin(), result.end());
-  result.erase(std::unique(result.begin(), result.end()), result.end());
+  sort_unique(result);
   return result;
 }
 

@@ -7,6 +7,7 @@
 #include "umbrella/disjoint_sets_internal.h"
 #include "umbrella/essential_loops_internal.h"
 #include "umbrella/new_handles_internal.h"
+#include "umbrella/sort_unique_internal.h"
 
 namespace umbrella {
 namespace {
@@ -51,8 +52,7 @@ std::vector<std::uint64_t> edges_of(std::span<const Triangle> triangles) {
     add(a, c);
     add(b, c);
   }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  sort_unique(edges);
   return edges;
 }
 

@@ -5,6 +5,14 @@
 
 namespace umbrella {
 
+namespace {
+
+int compare_rounded(const Rank& a, const Rank& b) {
+  return a < b ? -1 : b < a ? 1 : 0;
+}
+
+}  // namespace
+
 bool RankOrder::is_near(double x, double y) {
   // Two that are infinite are.
   return !(std::abs(x - y) > kNearTie * std::max(x, y));
@@ -18,8 +26,8 @@ bool RankOrder::is_near_tie(const Rank& a, const Rank& b) {
 
 int RankOrder::compare_ranks(const RankedTriangle& a,
                              const RankedTriangle& b) const {
-  if (is_near_tie(a, b)) return compare(exact_(a.facet), exact_(b.facet));
-  return a.rank < b.rank ? -1 : b.rank < a.rank ? 1 : 0;
+  return is_near_tie(a, b) ? compare(exact_(a.facet), exact_(b.facet))
+                           : compare_rounded(a.rank, b.rank);
 }
 
 RankOrder::Keyed RankOrder::with_key(const RankedTriangle& triangle,
@@ -30,8 +38,8 @@ RankOrder::Keyed RankOrder::with_key(const RankedTriangle& triangle,
 void RankOrder::sort(std::vector<Keyed>& keyed) const {
   std::sort(keyed.begin(), keyed.end(), [&](const Keyed& x, const Keyed& y) {
     const RankedTriangle &a = *x.triangle, &b = *y.triangle;
-    const int order =
-        is_near_tie(a, b) ? compare(x.exact, y.exact) : compare_ranks(a, b);
+    const int order = is_near_tie(a, b) ? compare(x.exact, y.exact)
+                                        : compare_rounded(a.rank, b.rank);
     return order != 0 ? order < 0 : a.corners < b.corners;
   });
 }

@@ -6,6 +6,7 @@
 #include "predicates/predicates.h"
 #include "umbrella/disjoint_sets_internal.h"
 #include "umbrella/region_internal.h"
+#include "umbrella/sort_unique_internal.h"
 
 namespace umbrella {
 namespace {
@@ -44,8 +45,7 @@ std::vector<VertexId> vertices_of(const Region& region,
       if (!std::binary_search(region.vertices.begin(), region.vertices.end(),
                               v))
         others.push_back(v);
-  std::sort(others.begin(), others.end());
-  others.erase(std::unique(others.begin(), others.end()), others.end());
+  sort_unique(others);
   return united(region.vertices, others);
 }
 
@@ -257,8 +257,7 @@ std::vector<VertexId> Neighborhoods::ring(std::span<const VertexId> vertices) {
   std::vector<VertexId> result(vertices.begin(), vertices.end());
   for (std::uint32_t p = 0; p < cells_.cells().size(); ++p)
     for (const VertexId v : cells_.cell(p).vertex) result.push_back(v);
-  std::sort(result.begin(), result.end());
-  result.erase(std::unique(result.begin(), result.end()), result.end());
+  sort_unique(result);
   return result;
 }
 

@@ -2,6 +2,7 @@
 #include <numeric>
 #include <utility>
 
+#include "umbrella/sort_unique_internal.h"
 #include "umbrella/vertex_filter_internal.h"
 
 namespace umbrella {
@@ -35,9 +36,7 @@ FilterResult Choices::among(RankedTriangles all) && {
   triangles.erase(kept, triangles.end());
   unsettled.insert(unsettled.end(), without_umbrella_.begin(),
                    without_umbrella_.end());
-  std::ranges::sort(unsettled);
-  unsettled.erase(std::unique(unsettled.begin(), unsettled.end()),
-                  unsettled.end());
+  sort_unique(unsettled);
   result.triangles = RankedTriangles(std::move(triangles), order);
   result.without_umbrella = std::move(without_umbrella_);
   return result;
