@@ -47,10 +47,10 @@ void expect_linked(const Problem& problem) {
   for (std::size_t r = 0; r < problem.n_rings(); ++r)
     for (std::size_t i = 0; i < problem.ring(r).size(); ++i) {
       const ilp::Spoke& spoke = problem.ring(r)[i];
-      const ilp::LinkedSpoke& linked = links.rings[r][i];
+      const ilp::Spoke& linked = links.rings[r][i];
       EXPECT_EQ(linked.var, spoke.var);
-      for (const auto& [node, pair] : {std::pair{spoke.a, linked.pair_a},
-                                       std::pair{spoke.b, linked.pair_b}}) {
+      for (const auto& [node, pair] :
+           {std::pair{spoke.a, linked.a}, std::pair{spoke.b, linked.b}}) {
         const Vars vars = spokes_at(problem, r, node);
         EXPECT_EQ(ascending(links.pairs[pair]), vars);
         EXPECT_EQ(pair < problem.n_pairs(), has_pair(problem, vars));
@@ -60,8 +60,14 @@ void expect_linked(const Problem& problem) {
 
 void expect_listed(const Problem& problem) {
   const Links links = link(problem);
-  ASSERT_EQ(links.sums.size(), links.pairs.size());
-  ASSERT_EQ(links.pair_origin.size(), links.pairs.size());
+  ASSERT_EQ(links.implied_by.size(), links.pairs.size() - problem.n_pairs());
+  for (std::uint32_t p = 0; p < links.pairs.size(); ++p) {
+    const auto [kind, i] = links.origin(p);
+    const bool is_own = p < problem.n_pairs();
+    EXPECT_EQ(kind,
+              is_own ? ilp::ConstraintKind::Pair : ilp::ConstraintKind::Ring);
+    EXPECT_EQ(i, is_own ? p : links.implied_by[p - problem.n_pairs()]);
+  }
   std::vector<std::vector<std::uint32_t>> pairs_of(problem.n_variables());
   for (std::uint32_t p = 0; p < links.pairs.size(); ++p)
     for (const VarId v : links.pairs[p]) pairs_of[index(v)].push_back(p);

@@ -8,23 +8,40 @@ namespace {
 
 constexpr std::uint32_t kNone = 0xffff'ffffU;
 
+// What is known of a set of variables by adding them up.
+struct VarSum {
+  std::uint32_t n = 0;
+  std::uint32_t bits = 0;  // the XOR of their numbers
+  void add(VarId v) {
+    ++n;
+    bits ^= static_cast<std::uint32_t>(v);
+  }
+  friend bool operator==(VarSum, VarSum) = default;
+};
+
+Rows<std::uint32_t> pairs_of_variables(const Problem& problem,
+                                       const Rows<VarId>& pairs) {
+  return Rows<std::uint32_t>::inverted(
+      problem.n_variables(), pairs, [](VarId v) { return index(v); },
+      [](std::uint32_t p, VarId) { return p; });
+}
+
+// Rings whose nodes bear numbers of their own.
 class Linker {
  public:
   explicit Linker(const Problem& problem)
       : problem_(problem), mark_(problem.n_variables(), 0) {
-    const auto n_pairs = static_cast<std::uint32_t>(problem.n_pairs());
     links_.pairs = problem.pairs();
-    links_.pair_origin.reserve(n_pairs);
-    links_.sums.reserve(n_pairs);
-    for (std::uint32_t p = 0; p < n_pairs; ++p)
-      note_pair({ConstraintKind::Pair, p});
+    links_.pairs_of = pairs_of_variables(problem, links_.pairs);
     links_.rings.reserve(problem.n_rings(), problem.rings().n_items());
-    find_pairs_of();
+    sums_.reserve(problem.n_pairs());
+    for (std::size_t p = 0; p < problem.n_pairs(); ++p) add_up(p);
   }
 
   Links run() {
     for (std::uint32_t r = 0; r < problem_.n_rings(); ++r) add_ring(r);
-    if (links_.pairs.size() > problem_.n_pairs()) find_pairs_of();
+    if (!links_.implied_by.empty())
+      links_.pairs_of = pairs_of_variables(problem_, links_.pairs);
     return std::move(links_);
   }
 
@@ -36,31 +53,19 @@ class Linker {
     const VarId* next = nullptr;  // variable of the pair to compare
   };
 
-  // The pair that was added last.
-  void note_pair(ConstraintId origin) {
+  void add_up(std::size_t pair) {
     VarSum sum;
-    for (const VarId v : links_.pairs[links_.sums.size()]) sum.add(v);
-    links_.sums.push_back(sum);
-    links_.pair_origin.push_back(origin);
-  }
-
-  void find_pairs_of() {
-    links_.pairs_of = Rows<std::uint32_t>::inverted(
-        problem_.n_variables(), links_.pairs, [](VarId v) { return index(v); },
-        [](std::uint32_t p, VarId) { return p; });
+    for (const VarId v : links_.pairs[pair]) sum.add(v);
+    sums_.push_back(sum);
   }
 
   void add_ring(std::uint32_t r) {
     const std::span<const Spoke> spokes = problem_.ring(r);
+    if (problem_.is_of_pairs(r)) return links_.rings.add(spokes);
+    if (!guess_pairs(spokes) || !is_guess_right(spokes)) find_pairs(spokes, r);
     linked_.clear();
-    if (problem_.is_of_pairs(r)) {
-      for (const Spoke& s : spokes) linked_.push_back({s.var, s.a, s.b});
-    } else {
-      if (!guess_pairs(spokes) || !is_guess_right(spokes))
-        find_pairs(spokes, r);
-      for (const Spoke& s : spokes)
-        linked_.push_back({s.var, nodes_[s.a].pair, nodes_[s.b].pair});
-    }
+    for (const Spoke& s : spokes)
+      linked_.push_back({s.var, nodes_[s.a].pair, nodes_[s.b].pair});
     links_.rings.add(linked_);
   }
 
@@ -79,8 +84,7 @@ class Linker {
     for (Node& node : nodes_) {
       if (node.sum.n == 0) continue;
       for (const std::uint32_t p : links_.pairs_of[index(node.any)])
-        node.pair =
-            node.pair == kNone && links_.sums[p] == node.sum ? p : node.pair;
+        node.pair = node.pair == kNone && sums_[p] == node.sum ? p : node.pair;
       if (node.pair == kNone) return false;
       node.next = links_.pairs[node.pair].data();
     }
@@ -108,8 +112,9 @@ class Linker {
   std::uint32_t pair_with(std::span<const VarId> vars, std::uint32_t ring) {
     if (const auto found = find_pair(vars)) return *found;
     links_.pairs.add(vars);
-    note_pair({ConstraintKind::Ring, ring});
-    return static_cast<std::uint32_t>(links_.pairs.size() - 1);
+    links_.implied_by.push_back(ring);
+    add_up(sums_.size());
+    return static_cast<std::uint32_t>(sums_.size() - 1);
   }
 
   // A pair of the problem with these variables and no other.
@@ -128,14 +133,22 @@ class Linker {
 
   const Problem& problem_;
   Links links_;
+  std::vector<VarSum> sums_;         // of each pair
   std::vector<std::uint32_t> mark_;  // last search whose node has the variable
   std::uint32_t n_searches_ = 0;
   std::vector<Node> nodes_;  // of a ring
-  std::vector<LinkedSpoke> linked_;
+  std::vector<Spoke> linked_;
 };
 
 }  // namespace
 
-Links link(const Problem& problem) { return Linker(problem).run(); }
+Links link(const Problem& problem) {
+  for (std::size_t r = 0; r < problem.n_rings(); ++r)
+    if (!problem.is_of_pairs(r)) return Linker(problem).run();
+  return {problem.pairs(),
+          {},
+          pairs_of_variables(problem, problem.pairs()),
+          problem.rings()};
+}
 
 }  // namespace ilp

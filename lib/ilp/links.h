@@ -10,34 +10,22 @@
 
 namespace ilp {
 
-/// A spoke whose ends are pairs. The spokes of one node are exactly the
-/// variables of its pair.
-struct LinkedSpoke {
-  VarId var;
-  std::uint32_t pair_a;
-  std::uint32_t pair_b;
-};
-
-/// What is known of a set of variables by adding them up.
-struct VarSum {
-  std::uint32_t n = 0;
-  std::uint32_t bits = 0;  ///< the XOR of their numbers
-  void add(VarId v) {
-    ++n;
-    bits ^= static_cast<std::uint32_t>(v);
-  }
-  friend bool operator==(VarSum, VarSum) = default;
-};
-
 struct Links {
   /// The problem's pairs, then those that a ring implies at a node whose
   /// variables no pair of the problem lists.
   Rows<VarId> pairs;
+  std::vector<std::uint32_t> implied_by;  ///< rings, of the latter pairs
+  Rows<std::uint32_t> pairs_of;           ///< by variable, ascending
+  /// With pairs as nodes: the spokes of one are exactly its variables.
+  Rows<Spoke> rings;
+
   /// What the problem calls the pair: itself, or the ring that implies it.
-  std::vector<ConstraintId> pair_origin;
-  std::vector<VarSum> sums;      ///< of each pair
-  Rows<std::uint32_t> pairs_of;  ///< by variable, ascending
-  Rows<LinkedSpoke> rings;
+  ConstraintId origin(std::uint32_t pair) const {
+    const auto n_own =
+        static_cast<std::uint32_t>(pairs.size() - implied_by.size());
+    if (pair < n_own) return {ConstraintKind::Pair, pair};
+    return {ConstraintKind::Ring, implied_by[pair - n_own]};
+  }
 };
 
 Links link(const Problem& problem);

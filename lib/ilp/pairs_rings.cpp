@@ -21,18 +21,23 @@ PairsAndRings::PairsAndRings(const Problem& problem)
       pairs_(links_.pairs.size()),
       rings_of_(Rows<Membership>::inverted(
           problem.n_variables(), links_.rings,
-          [](const LinkedSpoke& s) { return index(s.var); },
-          [](std::uint32_t r, const LinkedSpoke& s) {
-            return Membership{r, s.pair_a, s.pair_b};
+          [](const Spoke& s) { return index(s.var); },
+          [](std::uint32_t r, const Spoke& s) {
+            return Membership{r, s.a, s.b};
           })),
       is_on_cycle_(problem.n_variables(), 0) {
-  for (std::size_t p = 0; p < pairs_.size(); ++p)
-    pairs_[p] = {.n_open = links_.sums[p].n, .open_xor = links_.sums[p].bits};
+  for (std::size_t p = 0; p < pairs_.size(); ++p) {
+    const std::span<const VarId> vars = links_.pairs[p];
+    std::uint32_t bits = 0;
+    for (const VarId v : vars) bits ^= static_cast<std::uint32_t>(v);
+    pairs_[p].n_open = static_cast<std::uint32_t>(vars.size());
+    pairs_[p].open_xor = bits;
+  }
 }
 
 bool PairsAndRings::start(Assignment& assignment, Conflict& conflict) {
   for (std::uint32_t p = 0; p < pairs_.size(); ++p)
-    if (pairs_[p].n_open == 1 && !propagate_pair(p, assignment, conflict))
+    if (pairs_[p].n_open == 1 && !force_last(p, assignment, conflict))
       return false;
   return true;
 }
@@ -40,8 +45,15 @@ bool PairsAndRings::start(Assignment& assignment, Conflict& conflict) {
 bool PairsAndRings::propagate(Literal l, Assignment& assignment,
                               Conflict& conflict) {
   if (count(l))
-    for (const std::uint32_t p : links_.pairs_of[index(l.var())])
-      if (!propagate_pair(p, assignment, conflict)) return false;
+    for (const std::uint32_t p : links_.pairs_of[index(l.var())]) {
+      const PairCount& c = pairs_[p];
+      if (c.n_true == 2) {
+        if (l.value() && c.n_open > 0 && !clear_pair(p, assignment, conflict))
+          return false;
+      } else if (c.n_open == 1 && !force_last(p, assignment, conflict)) {
+        return false;
+      }
+    }
   if (!l.value()) return true;
   for (const Membership& m : rings_of_[index(l.var())]) {
     const std::size_t length = cycle_length(l.var(), m);
@@ -52,19 +64,19 @@ bool PairsAndRings::propagate(Literal l, Assignment& assignment,
   return true;
 }
 
-// Returns whether some pair may now force a variable.
+// Returns whether some pair may force a variable now. One with two true
+// variables has done so when the second was counted.
 bool PairsAndRings::count(Literal l) {
   const auto id = static_cast<std::uint32_t>(l.var());
+  const std::uint32_t one = l.value() ? 1 : 0;
   bool may_force = false;
   for (const std::uint32_t p : links_.pairs_of[id]) {
     PairCount& c = pairs_[p];
     --c.n_open;
     c.open_xor ^= id;
-    if (l.value()) {
-      ++c.n_true;
-      c.true_xor ^= id;
-    }
-    may_force |= c.n_open == 1 || c.n_true == 2;
+    c.n_true += one;
+    c.true_xor ^= id & (0 - one);
+    may_force |= c.n_true == 2 ? l.value() : c.n_open == 1;
   }
   return may_force;
 }
@@ -82,38 +94,37 @@ void PairsAndRings::undo(Literal l) {
   }
 }
 
-bool PairsAndRings::propagate_pair(std::uint32_t p, Assignment& assignment,
-                                   Conflict& conflict) const {
+// One variable is not counted, and fewer than two are true.
+bool PairsAndRings::force_last(std::uint32_t p, Assignment& assignment,
+                               Conflict& conflict) const {
   const PairCount& c = pairs_[p];
-  if (c.n_true == 2)
-    return c.n_open == 0 || clear_pair(p, assignment, conflict);
-  if (c.n_open != 1) return true;
-
   const Literal last(VarId{c.open_xor}, c.n_true == 1);
   if (assignment.is_open(last.var())) assignment.assign(last, pair_reason(p));
-  if (assignment.holds(last)) return true;
-  conflict = {pair_reason(p), {}};
-  for (const VarId v : links_.pairs[p])
-    conflict.literals.push_back(assignment.literal(v));
-  return false;
+  return assignment.holds(last) || fail_pair(p, assignment, conflict);
 }
 
 // Two variables are counted as true: all others are false. A third that holds
 // cannot be counted yet, so it comes later in the trail than the two.
 bool PairsAndRings::clear_pair(std::uint32_t p, Assignment& assignment,
                                Conflict& conflict) const {
-  std::vector<Literal>& trues = conflict.literals;
-  trues.clear();
-  for (const VarId v : links_.pairs[p])
-    if (assignment.is_true(v)) trues.emplace_back(v, true);
-  if (trues.size() > 2) {
-    conflict.reason = pair_reason(p);
-    return false;
-  }
-  for (const VarId v : links_.pairs[p])
+  const std::span<const VarId> vars = links_.pairs[p];
+  std::size_t n_true = 0;
+  for (const VarId v : vars) n_true += assignment.is_true(v) ? 1 : 0;
+  if (n_true > 2) return fail_pair(p, assignment, conflict);
+  for (const VarId v : vars)
     if (assignment.is_open(v))
       assignment.assign(Literal(v, false), pair_reason(p));
   return true;
+}
+
+// The conflict is three that are true, or all if only one is.
+bool PairsAndRings::fail_pair(std::uint32_t p, const Assignment& assignment,
+                              Conflict& conflict) const {
+  conflict = {pair_reason(p), {}};
+  for (const VarId v : links_.pairs[p])
+    if (pairs_[p].n_true < 2 || assignment.is_true(v))
+      conflict.literals.push_back(assignment.literal(v));
+  return false;
 }
 
 const PairsAndRings::Membership& PairsAndRings::membership(
@@ -134,16 +145,15 @@ VarId PairsAndRings::next_on_ring(std::uint32_t ring, VarId var,
 }
 
 std::size_t PairsAndRings::cycle_length(VarId var, const Membership& m) const {
-  if (pairs_[m.pair_a].n_true != 2) return 0;
+  if (pairs_[m.pair_a].n_true != 2 || pairs_[m.pair_b].n_true != 2) return 0;
   std::size_t length = 0;
   std::uint32_t pair = m.pair_b;
   VarId v = var;
   do {
-    if (pairs_[pair].n_true != 2) return 0;
     v = next_on_ring(m.ring, v, pair);
     ++length;
-  } while (v != var);
-  return length;
+  } while (v != var && pairs_[pair].n_true == 2);
+  return v == var ? length : 0;
 }
 
 void PairsAndRings::append_cycle(const Reason& reason,
@@ -159,10 +169,9 @@ void PairsAndRings::append_cycle(const Reason& reason,
 // A cycle is closed: all other spokes are false.
 bool PairsAndRings::clear_ring(const Reason& reason, std::size_t length,
                                Assignment& assignment, Conflict& conflict) {
-  const std::span<const LinkedSpoke> spokes = links_.rings[reason.index];
+  const std::span<const Spoke> spokes = links_.rings[reason.index];
   std::size_t n_true = 0;
-  for (const LinkedSpoke& s : spokes)
-    n_true += assignment.is_true(s.var) ? 1 : 0;
+  for (const Spoke& s : spokes) n_true += assignment.is_true(s.var) ? 1 : 0;
   if (n_true > length) {
     conflict = {reason, {}};
     append_cycle(reason, conflict.literals);
@@ -170,7 +179,7 @@ bool PairsAndRings::clear_ring(const Reason& reason, std::size_t length,
         spoke_off(conflict.literals, spokes, assignment), true);
     return false;
   }
-  for (const LinkedSpoke& s : spokes)
+  for (const Spoke& s : spokes)
     if (assignment.is_open(s.var))
       assignment.assign(Literal(s.var, false), reason);
   return true;
@@ -178,10 +187,10 @@ bool PairsAndRings::clear_ring(const Reason& reason, std::size_t length,
 
 // The first true spoke that is not on the cycle.
 VarId PairsAndRings::spoke_off(std::span<const Literal> cycle,
-                               std::span<const LinkedSpoke> spokes,
+                               std::span<const Spoke> spokes,
                                const Assignment& assignment) {
   for (const Literal l : cycle) is_on_cycle_[index(l.var())] = 1;
-  const auto found = std::ranges::find_if(spokes, [&](const LinkedSpoke& s) {
+  const auto found = std::ranges::find_if(spokes, [&](const Spoke& s) {
     return assignment.is_true(s.var) && is_on_cycle_[index(s.var)] == 0;
   });
   for (const Literal l : cycle) is_on_cycle_[index(l.var())] = 0;
@@ -219,7 +228,7 @@ void PairsAndRings::explain_pair(Literal l, const Assignment& assignment,
 Antecedent PairsAndRings::origin(const Reason& reason) const {
   return reason.kind == Reason::Kind::Ring
              ? Antecedent({ConstraintKind::Ring, reason.index})
-             : Antecedent(links_.pair_origin[reason.index]);
+             : Antecedent(links_.origin(reason.index));
 }
 
 }  // namespace ilp

@@ -47,16 +47,17 @@ class PairsAndRings {
   };
 
   bool count(Literal l);
-  bool propagate_pair(std::uint32_t p, Assignment& assignment,
-                      Conflict& conflict) const;
+  bool force_last(std::uint32_t p, Assignment& assignment,
+                  Conflict& conflict) const;
   bool clear_pair(std::uint32_t p, Assignment& assignment,
                   Conflict& conflict) const;
+  bool fail_pair(std::uint32_t p, const Assignment& assignment,
+                 Conflict& conflict) const;
   /// Of the true spokes that close a cycle through `var`; 0: there is none.
   std::size_t cycle_length(VarId var, const Membership& m) const;
   bool clear_ring(const Reason& reason, std::size_t length,
                   Assignment& assignment, Conflict& conflict);
-  VarId spoke_off(std::span<const Literal> cycle,
-                  std::span<const LinkedSpoke> spokes,
+  VarId spoke_off(std::span<const Literal> cycle, std::span<const Spoke> spokes,
                   const Assignment& assignment);
   void explain_pair(Literal l, const Assignment& assignment,
                     std::vector<Literal>& out) const;
