@@ -92,21 +92,19 @@ bool Linears::settle(std::uint32_t r, Assignment& assignment,
   return true;
 }
 
-void Linears::count(Literal l) {
-  if (rows_.empty()) return;
+void Linears::take(Literal l) {
   for (const auto& [row, weight] : rows_of_[l.code()])
     rows_[row].slack -= weight;
 }
 
-bool Linears::propagate(Literal l, Assignment& assignment, Conflict& conflict) {
-  if (rows_.empty()) return true;
+bool Linears::settle_rows_of(Literal l, Assignment& assignment,
+                             Conflict& conflict) {
   for (const auto& [row, weight] : rows_of_[l.code()])
     if (!settle(row, assignment, conflict)) return false;
   return true;
 }
 
-void Linears::undo(Literal l) {
-  if (rows_.empty()) return;
+void Linears::give_back(Literal l) {
   for (const auto& [row, weight] : rows_of_[l.code()])
     rows_[row].slack += weight;
 }

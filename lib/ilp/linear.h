@@ -31,12 +31,18 @@ class Linears {
   bool start(Assignment& assignment, Conflict& conflict);
 
   /// Counts a literal that holds, once.
-  void count(Literal l);
+  void count(Literal l) {
+    if (!rows_.empty()) take(l);
+  }
   /// Assigns what follows from a literal that is counted.
   /// @return false on a conflict
-  bool propagate(Literal l, Assignment& assignment, Conflict& conflict);
+  bool propagate(Literal l, Assignment& assignment, Conflict& conflict) {
+    return rows_.empty() || settle_rows_of(l, assignment, conflict);
+  }
   /// Takes back the counting.
-  void undo(Literal l);
+  void undo(Literal l) {
+    if (!rows_.empty()) give_back(l);
+  }
   /// To be called when variables open again.
   void reopen() { ++n_reopened_; }
 
@@ -68,6 +74,9 @@ class Linears {
     std::int64_t weight;
   };
 
+  void take(Literal l);
+  void give_back(Literal l);
+  bool settle_rows_of(Literal l, Assignment& assignment, Conflict& conflict);
   std::uint32_t add_row(std::span<const Term> terms, std::int64_t bound);
   struct Until {
     std::uint32_t position;  // in the trail

@@ -63,8 +63,7 @@ bool Sides::start(Assignment& assignment, Conflict& conflict) {
   return true;
 }
 
-bool Sides::propagate(Literal l, Assignment& assignment, Conflict& conflict) {
-  if (walls_.empty()) return true;
+bool Sides::follow(Literal l, Assignment& assignment, Conflict& conflict) {
   for (const std::uint32_t w : walls_of_variable_[index(l.var())]) {
     const auto [a, b] = ends(w);
     if (rooms_[a].group != rooms_[b].group) merge(w, l.value());
@@ -110,8 +109,7 @@ void Sides::merge(std::uint32_t wall, bool value) {
   merges_.push_back(m);
 }
 
-void Sides::undo(Literal l) {
-  if (merges_.empty()) return;
+void Sides::unfollow(Literal l) {
   const auto walls = walls_of_variable_[index(l.var())];
   for (std::size_t i = walls.size(); i-- > 0;)
     if (!merges_.empty() && merges_.back().wall == walls[i]) unmerge();

@@ -23,9 +23,13 @@ class Sides {
 
   /// Merges by a literal that holds, once, and assigns what follows.
   /// @return false on a conflict
-  bool propagate(Literal l, Assignment& assignment, Conflict& conflict);
+  bool propagate(Literal l, Assignment& assignment, Conflict& conflict) {
+    return walls_.empty() || follow(l, assignment, conflict);
+  }
   /// Takes back the merging by l, if any.
-  void undo(Literal l);
+  void undo(Literal l) {
+    if (!merges_.empty()) unfollow(l);
+  }
 
   /// Appends the literals that imply l by its reason, a wall.
   void explain(Literal l, const Assignment& assignment,
@@ -46,6 +50,8 @@ class Sides {
     std::uint32_t flip;
   };
 
+  bool follow(Literal l, Assignment& assignment, Conflict& conflict);
+  void unfollow(Literal l);
   bool settle(std::uint32_t wall, Assignment& assignment,
               Conflict& conflict) const;
   void merge(std::uint32_t wall, bool value);
