@@ -1,9 +1,10 @@
-// A pair counts: how many of its variables are open, how many are true, and the
-// XOR of either set, so that the last open variable, or the mate of a true one,
-// is known without a search. A ring keeps nothing of its own: its nodes are
-// pairs, so a walk from mate to mate along true spokes tells whether they close
-// a cycle. A literal may hold before it is counted; what is forced depends on
-// counted literals only, and explain() finds them again by their positions.
+// A pair keeps the size and the sum of two sets of its variables, those that
+// are open and those that are true, so that the last open variable, or the mate
+// of a true one, is known without a search. A ring keeps nothing of its own:
+// its nodes are pairs, so a walk from mate to mate along true spokes tells
+// whether they close a cycle. A literal may hold before it is counted; what is
+// forced depends on counted literals only, and explain() finds them again by
+// their positions.
 
 #include "ilp/pairs_rings.h"
 
@@ -27,17 +28,13 @@ PairsAndRings::PairsAndRings(const Problem& problem)
           })),
       is_on_cycle_(problem.n_variables(), 0) {
   for (std::size_t p = 0; p < pairs_.size(); ++p) {
-    const std::span<const VarId> vars = links_.pairs[p];
-    std::uint32_t bits = 0;
-    for (const VarId v : vars) bits ^= static_cast<std::uint32_t>(v);
-    pairs_[p].n_open = static_cast<std::uint32_t>(vars.size());
-    pairs_[p].open_xor = bits;
+    for (const VarId v : links_.pairs[p]) pairs_[p].open.add(v);
   }
 }
 
 bool PairsAndRings::start(Assignment& assignment, Conflict& conflict) {
   for (std::uint32_t p = 0; p < pairs_.size(); ++p)
-    if (pairs_[p].n_open == 1 && !force_last(p, assignment, conflict))
+    if (pairs_[p].open.size() == 1 && !force_last(p, assignment, conflict))
       return false;
   return true;
 }
@@ -47,10 +44,11 @@ bool PairsAndRings::propagate(Literal l, Assignment& assignment,
   if (count(l))
     for (const std::uint32_t p : links_.pairs_of[index(l.var())]) {
       const PairCount& c = pairs_[p];
-      if (c.n_true == 2) {
-        if (l.value() && c.n_open > 0 && !clear_pair(p, assignment, conflict))
+      if (c.trues.size() == 2) {
+        if (l.value() && c.open.size() > 0 &&
+            !clear_pair(p, assignment, conflict))
           return false;
-      } else if (c.n_open == 1 && !force_last(p, assignment, conflict)) {
+      } else if (c.open.size() == 1 && !force_last(p, assignment, conflict)) {
         return false;
       }
     }
@@ -67,30 +65,22 @@ bool PairsAndRings::propagate(Literal l, Assignment& assignment,
 // Returns whether some pair may force a variable now. One with two true
 // variables has done so when the second was counted.
 bool PairsAndRings::count(Literal l) {
-  const auto id = static_cast<std::uint32_t>(l.var());
-  const std::uint32_t one = l.value() ? 1 : 0;
+  const VarId v = l.var();
   bool may_force = false;
-  for (const std::uint32_t p : links_.pairs_of[id]) {
+  for (const std::uint32_t p : links_.pairs_of[index(v)]) {
     PairCount& c = pairs_[p];
-    --c.n_open;
-    c.open_xor ^= id;
-    c.n_true += one;
-    c.true_xor ^= id & (0 - one);
-    may_force |= c.n_true == 2 ? l.value() : c.n_open == 1;
+    c.open.remove(v);
+    if (l.value()) c.trues.add(v);
+    may_force |= c.trues.size() == 2 ? l.value() : c.open.size() == 1;
   }
   return may_force;
 }
 
 void PairsAndRings::undo(Literal l) {
-  const auto id = static_cast<std::uint32_t>(l.var());
-  for (const std::uint32_t p : links_.pairs_of[id]) {
-    PairCount& c = pairs_[p];
-    ++c.n_open;
-    c.open_xor ^= id;
-    if (l.value()) {
-      --c.n_true;
-      c.true_xor ^= id;
-    }
+  const VarId v = l.var();
+  for (const std::uint32_t p : links_.pairs_of[index(v)]) {
+    pairs_[p].open.add(v);
+    if (l.value()) pairs_[p].trues.remove(v);
   }
 }
 
@@ -98,7 +88,7 @@ void PairsAndRings::undo(Literal l) {
 bool PairsAndRings::force_last(std::uint32_t p, Assignment& assignment,
                                Conflict& conflict) const {
   const PairCount& c = pairs_[p];
-  const Literal last(VarId{c.open_xor}, c.n_true == 1);
+  const Literal last(c.open.only(), c.trues.size() == 1);
   if (assignment.is_open(last.var())) assignment.assign(last, pair_reason(p));
   return assignment.holds(last) || fail_pair(p, assignment, conflict);
 }
@@ -122,7 +112,7 @@ bool PairsAndRings::fail_pair(std::uint32_t p, const Assignment& assignment,
                               Conflict& conflict) const {
   conflict = {pair_reason(p), {}};
   for (const VarId v : links_.pairs[p])
-    if (pairs_[p].n_true < 2 || assignment.is_true(v))
+    if (pairs_[p].trues.size() < 2 || assignment.is_true(v))
       conflict.literals.push_back(assignment.literal(v));
   return false;
 }
@@ -138,21 +128,22 @@ const PairsAndRings::Membership& PairsAndRings::membership(
 // its other end.
 VarId PairsAndRings::next_on_ring(std::uint32_t ring, VarId var,
                                   std::uint32_t& pair) const {
-  const VarId next{pairs_[pair].true_xor ^ static_cast<std::uint32_t>(var)};
+  const VarId next = pairs_[pair].trues.other_than(var);
   const Membership& m = membership(next, ring);
   pair ^= m.pair_a ^ m.pair_b;
   return next;
 }
 
 std::size_t PairsAndRings::cycle_length(VarId var, const Membership& m) const {
-  if (pairs_[m.pair_a].n_true != 2 || pairs_[m.pair_b].n_true != 2) return 0;
+  if (pairs_[m.pair_a].trues.size() != 2 || pairs_[m.pair_b].trues.size() != 2)
+    return 0;
   std::size_t length = 0;
   std::uint32_t pair = m.pair_b;
   VarId v = var;
   do {
     v = next_on_ring(m.ring, v, pair);
     ++length;
-  } while (v != var && pairs_[pair].n_true == 2);
+  } while (v != var && pairs_[pair].trues.size() == 2);
   return v == var ? length : 0;
 }
 

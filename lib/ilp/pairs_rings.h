@@ -31,13 +31,33 @@ class PairsAndRings {
   Antecedent origin(const Reason& reason) const;
 
  private:
+  // A set of variables by its size, times 2^32, plus the sum of their numbers.
+  // With numbers below 2^29, size() is exact up to 2, and more beyond; the one
+  // of a set of one is known, and so is the other of two.
+  class VarSum {
+   public:
+    void add(VarId v) { sum_ += key(v); }
+    void remove(VarId v) { sum_ -= key(v); }
+    std::uint32_t size() const {
+      return static_cast<std::uint32_t>(sum_ >> 32U);
+    }
+    /// @pre the set is {the result}, or {v, the result}
+    VarId only() const { return VarId{static_cast<std::uint32_t>(sum_)}; }
+    VarId other_than(VarId v) const {
+      return VarId{static_cast<std::uint32_t>(sum_ - key(v))};
+    }
+
+   private:
+    static constexpr std::uint64_t key(VarId v) {
+      return (std::uint64_t{1} << 32U) + index(v);
+    }
+    std::uint64_t sum_ = 0;
+  };
   // The variables of a pair that are not counted yet, and those that are
-  // counted as true. One left in a set is the set's XOR.
+  // counted as true.
   struct PairCount {
-    std::uint32_t n_open = 0;
-    std::uint32_t n_true = 0;
-    std::uint32_t open_xor = 0;
-    std::uint32_t true_xor = 0;
+    VarSum open;
+    VarSum trues;
   };
   // A ring of a variable, and the ends of its spoke there.
   struct Membership {
