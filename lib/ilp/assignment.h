@@ -13,8 +13,16 @@ namespace ilp {
 
 /// What forced a literal.
 struct Reason {
-  enum class Kind : std::uint32_t { None, Pair, Ring, Sides, Clause, Linear };
-  Kind kind = Kind::None;   ///< None: a decision, or fixed by the problem
+  enum class Kind : std::uint32_t {
+    None,  ///< a decision, or fixed by the problem
+    Pair,
+    Ring,        ///< a cycle is closed
+    RingIsUsed,  ///< all other spokes are false
+    Sides,
+    Clause,
+    Linear
+  };
+  Kind kind = Kind::None;
   std::uint32_t index = 0;  ///< of the pair, ring, wall, clause or row
   VarId on_cycle{};         ///< Ring: a spoke of the cycle that closed
 };

@@ -26,6 +26,7 @@ ClauseRef ClauseStore::add(std::span<const Literal> literals, Antecedent origin,
                       glue});
   literals_.insert(literals_.end(), literals.begin(), literals.end());
   if (literals.size() >= 2) {
+    lists_.resize(2 * n_variables_);
     watch(literals[0], {ref, literals[1]});
     watch(literals[1], {ref, literals[0]});
   }

@@ -26,19 +26,20 @@ bool Clauses::add(std::span<Literal> literals, Antecedent origin,
   return true;
 }
 
-bool Clauses::propagate(Literal l, Assignment& assignment, Conflict& conflict) {
-  const std::size_t n = store_.watches(!l).size();
+bool Clauses::visit_all(Literal failing, Assignment& assignment,
+                        Conflict& conflict) {
+  const std::size_t n = store_.watches(failing).size();
   std::size_t n_kept = 0;
   Visit visited = Visit::Kept;
   for (std::size_t i = 0; i < n; ++i) {
-    Watch watch = store_.watches(!l)[i];
+    Watch watch = store_.watches(failing)[i];
     if (visited != Visit::Failed)
       visited = assignment.holds(watch.blocker)
                     ? Visit::Kept
-                    : visit(watch, !l, assignment, conflict);
-    if (visited != Visit::Moved) store_.watches(!l)[n_kept++] = watch;
+                    : visit(watch, failing, assignment, conflict);
+    if (visited != Visit::Moved) store_.watches(failing)[n_kept++] = watch;
   }
-  if (n_kept < n) store_.keep_watches(!l, n_kept);
+  if (n_kept < n) store_.keep_watches(failing, n_kept);
   return visited != Visit::Failed;
 }
 

@@ -27,7 +27,9 @@ class Clauses {
 
   /// Assigns what follows from a literal that holds.
   /// @return false on a conflict
-  bool propagate(Literal l, Assignment& assignment, Conflict& conflict);
+  bool propagate(Literal l, Assignment& assignment, Conflict& conflict) {
+    return !store_.has_watches() || visit_all(!l, assignment, conflict);
+  }
 
   /// Appends the literals that imply l by its reason, a clause.
   void explain(Literal l, const Assignment& assignment,
@@ -42,6 +44,7 @@ class Clauses {
   void forget(Assignment& assignment, const OnForgotten& on_forgotten);
 
  private:
+  bool visit_all(Literal failing, Assignment& assignment, Conflict& conflict);
   enum class Visit { Kept, Moved, Failed };
   Visit visit(Watch& watch, Literal failing, Assignment& assignment,
               Conflict& conflict);

@@ -26,6 +26,7 @@ PairsAndRings::PairsAndRings(const Problem& problem)
           [](std::uint32_t r, const Spoke& s) {
             return Membership{r, s.a, s.b};
           })),
+      watches_(problem),
       is_on_cycle_(problem.n_variables(), 0) {
   for (std::size_t p = 0; p < pairs_.size(); ++p) {
     for (const VarId v : links_.pairs[p]) pairs_[p].open.add(v);
@@ -36,7 +37,7 @@ bool PairsAndRings::start(Assignment& assignment, Conflict& conflict) {
   for (std::uint32_t p = 0; p < pairs_.size(); ++p)
     if (pairs_[p].open.size() == 1 && !force_last(p, assignment, conflict))
       return false;
-  return true;
+  return watches_.start(links_.rings, assignment, conflict);
 }
 
 bool PairsAndRings::propagate(Literal l, Assignment& assignment,
@@ -52,13 +53,23 @@ bool PairsAndRings::propagate(Literal l, Assignment& assignment,
         return false;
       }
     }
-  if (!l.value()) return true;
+  if (!l.value()) return use_rings(l.var(), assignment, conflict);
   for (const Membership& m : rings_of_[index(l.var())]) {
     const std::size_t length = cycle_length(l.var(), m);
     if (length > 0 && !clear_ring({Reason::Kind::Ring, m.ring, l.var()}, length,
                                   assignment, conflict))
       return false;
   }
+  return true;
+}
+
+bool PairsAndRings::use_rings(VarId failing, Assignment& assignment,
+                              Conflict& conflict) {
+  for (const Membership& m : rings_of_[index(failing)])
+    if (watches_.watches(m.ring, failing) &&
+        !watches_.replace({m.ring, links_.rings[m.ring]}, failing, assignment,
+                          conflict))
+      return false;
   return true;
 }
 
@@ -193,6 +204,8 @@ void PairsAndRings::explain(Literal l, const Assignment& assignment,
   const Reason& reason = assignment.reason(l.var());
   if (reason.kind == Reason::Kind::Ring) {
     append_cycle(reason, out);
+  } else if (reason.kind == Reason::Kind::RingIsUsed) {
+    RingWatches::explain(l, links_.rings[reason.index], out);
   } else {
     explain_pair(l, assignment, out);
   }
@@ -217,9 +230,9 @@ void PairsAndRings::explain_pair(Literal l, const Assignment& assignment,
 }
 
 Antecedent PairsAndRings::origin(const Reason& reason) const {
-  return reason.kind == Reason::Kind::Ring
-             ? Antecedent({ConstraintKind::Ring, reason.index})
-             : Antecedent(links_.origin(reason.index));
+  return reason.kind == Reason::Kind::Pair
+             ? Antecedent(links_.origin(reason.index))
+             : Antecedent({ConstraintKind::Ring, reason.index});
 }
 
 }  // namespace ilp

@@ -8,15 +8,16 @@
 #include "ilp/antecedents.h"
 #include "ilp/assignment.h"
 #include "ilp/links.h"
+#include "ilp/ring_watches.h"
 
 namespace ilp {
 
-/// All rules but one: that a ring has a true spoke at all is left to a clause.
 class PairsAndRings {
  public:
   explicit PairsAndRings(const Problem& problem);
 
-  /// Assigns what pairs of one variable force. @return false on a conflict
+  /// Assigns what pairs and rings of one variable force. @return false on a
+  /// conflict
   bool start(Assignment& assignment, Conflict& conflict);
 
   /// Counts a literal that holds, once, and assigns what follows.
@@ -66,6 +67,7 @@ class PairsAndRings {
     std::uint32_t pair_b;
   };
 
+  bool use_rings(VarId failing, Assignment& assignment, Conflict& conflict);
   bool count(Literal l);
   bool force_last(std::uint32_t p, Assignment& assignment,
                   Conflict& conflict) const;
@@ -88,6 +90,7 @@ class PairsAndRings {
   Links links_;
   std::vector<PairCount> pairs_;
   Rows<Membership> rings_of_;
+  RingWatches watches_;
   std::vector<std::uint8_t> is_on_cycle_;  // scratch, by variable; 0 at rest
 };
 

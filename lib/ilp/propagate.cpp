@@ -33,12 +33,6 @@ bool Propagator::fix(const Problem& problem) {
 
 void Propagator::add_initial_clauses(const Problem& problem) {
   std::vector<Literal> clause;
-  for (std::uint32_t r = 0; r < problem.n_rings(); ++r) {
-    if (problem.is_optional(r)) continue;
-    clause.clear();
-    for (const Spoke& s : problem.ring(r)) clause.emplace_back(s.var, true);
-    add_clause(clause, Antecedent({ConstraintKind::Ring, r}), 0);
-  }
   for (std::uint32_t c = 0; c < problem.n_clauses(); ++c) {
     clause.assign(problem.clause(c).begin(), problem.clause(c).end());
     if (normalize(clause))
@@ -83,6 +77,7 @@ void Propagator::explain(Literal l, std::vector<Literal>& out) const {
       return;
     case Reason::Kind::Pair:
     case Reason::Kind::Ring:
+    case Reason::Kind::RingIsUsed:
       return pairs_and_rings_.explain(l, assignment_, out);
     case Reason::Kind::Sides:
       return sides_.explain(l, assignment_, out);
@@ -99,6 +94,7 @@ Antecedent Propagator::origin(const Reason& reason) const {
       break;
     case Reason::Kind::Pair:
     case Reason::Kind::Ring:
+    case Reason::Kind::RingIsUsed:
       return pairs_and_rings_.origin(reason);
     case Reason::Kind::Sides:
       return sides_.origin(reason);
