@@ -6,11 +6,22 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
+#include <new>
 #include <span>
 #include <stdexcept>
 #include <vector>
 
 namespace ilp {
+
+/// So that a vector's resize() leaves new items unset.
+template <class T>
+struct LeavesUnset : std::allocator<T> {
+  LeavesUnset() = default;
+  template <class U>
+  explicit LeavesUnset(const LeavesUnset<U>&) {}
+  void construct(T* item) { ::new (static_cast<void*>(item)) T; }
+};
 
 template <class T>
 class Rows {
@@ -60,12 +71,15 @@ class Rows {
     rows.begin_.assign(n_rows + 1, 0);
     for (const U& item : other.items()) ++rows.begin_[key_of(item)];
     rows.add_up();
-    for (std::size_t r = other.size(); r-- > 0;) {
-      const std::span<const U> row = other[r];
-      for (std::size_t i = row.size(); i-- > 0;)
-        rows.items_[--rows.begin_[key_of(row[i])]] =
-            item_of(static_cast<std::uint32_t>(r), row[i]);
-    }
+    T* const items = rows.items_.data();
+    std::uint32_t* const begin = rows.begin_.data();
+    const U* item = other.items().data() + other.n_items();
+    for (std::size_t r = other.size(); r-- > 0;)
+      for (const U* const first = other[r].data(); item != first;) {
+        --item;
+        items[--begin[key_of(*item)]] =
+            item_of(static_cast<std::uint32_t>(r), *item);
+      }
     return rows;
   }
 
@@ -77,7 +91,7 @@ class Rows {
     items_.resize(end);
   }
 
-  std::vector<T> items_;
+  std::vector<T, LeavesUnset<T>> items_;
   std::vector<std::uint32_t> begin_ = {0};
 };
 
