@@ -36,7 +36,9 @@ struct Conflict {
 class Assignment {
  public:
   explicit Assignment(std::size_t n_variables)
-      : values_(2 * n_variables, kOpen), states_(n_variables) {}
+      : values_(2 * n_variables, kOpen), states_(n_variables) {
+    trail_.reserve(n_variables);
+  }
 
   std::size_t n_variables() const { return states_.size(); }
   bool holds(Literal l) const { return values_[l.code()] == kHolds; }

@@ -2,16 +2,15 @@
 
 #include <algorithm>
 #include <cassert>
-#include <numeric>
 
 namespace ilp {
 
 DecisionOrder::DecisionOrder(std::size_t n_variables)
-    : order_(n_variables),
-      rank_(n_variables),
-      place_(n_variables, kNotInHeap),
-      activity_(n_variables, 0) {
-  set_priority({});
+    : order_(n_variables), rank_(n_variables) {
+  for (std::uint32_t v = 0; v < n_variables; ++v) {
+    order_[v] = VarId{v};
+    rank_[v] = v;
+  }
 }
 
 void DecisionOrder::set_priority(std::span<const VarId> first) {
@@ -34,6 +33,10 @@ void DecisionOrder::set_priority(std::span<const VarId> first) {
 
 void DecisionOrder::bump(VarId var) {
   constexpr double kTooLarge = 1e100;
+  if (activity_.empty()) {
+    activity_.resize(order_.size(), 0);
+    place_.resize(order_.size(), kNotInHeap);
+  }
   double& activity = activity_[index(var)];
   if (activity == 0) active_.push_back(var);
   activity += increment_;
@@ -50,11 +53,6 @@ void DecisionOrder::forget_activity() {
   active_.clear();
   heap_.clear();
   increment_ = 1;
-}
-
-void DecisionOrder::reopen(VarId var) {
-  n_passed_ = std::min<std::size_t>(n_passed_, rank_[index(var)]);
-  if (activity_[index(var)] > 0 && place_[index(var)] == kNotInHeap) push(var);
 }
 
 bool DecisionOrder::precedes(VarId a, VarId b) const {

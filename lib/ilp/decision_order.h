@@ -2,6 +2,7 @@
 /// Which variable a search decides next.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -29,7 +30,10 @@ class DecisionOrder {
   void forget_activity();
 
   /// To be called for every variable that opens again.
-  void reopen(VarId var);
+  void reopen(VarId var) {
+    n_passed_ = std::min<std::size_t>(n_passed_, rank_[index(var)]);
+    if (is_active(var) && place_[index(var)] == kNotInHeap) push(var);
+  }
 
   struct Choice {
     VarId var;
@@ -42,17 +46,18 @@ class DecisionOrder {
       const VarId var = pop();
       if (is_open(var)) return {var, false};
     }
-    while (n_passed_ < order_.size() && !is_open(order_[n_passed_]))
-      ++n_passed_;
-    return {n_passed_ < order_.size()
-                ? order_[n_passed_]
-                : VarId{static_cast<std::uint32_t>(order_.size())},
-            true};
+    const auto n = static_cast<std::uint32_t>(order_.size());
+    for (; n_passed_ < n; ++n_passed_)
+      if (is_open(order_[n_passed_])) return {order_[n_passed_], true};
+    return {VarId{n}, true};
   }
 
  private:
   static constexpr std::uint32_t kNotInHeap = 0xffff'ffffU;
 
+  bool is_active(VarId var) const {
+    return !active_.empty() && activity_[index(var)] > 0;
+  }
   bool precedes(VarId a, VarId b) const;
   void place(std::size_t i, VarId var);
   void push(VarId var);
@@ -65,6 +70,7 @@ class DecisionOrder {
   std::size_t n_passed_ = 0;         // of order_: not open
 
   std::vector<VarId> heap_;  // every open variable with activity, and others
+  // By variable; empty before the first bump.
   std::vector<std::uint32_t> place_;  // in the heap
   std::vector<double> activity_;
   std::vector<VarId> active_;

@@ -244,7 +244,7 @@ class Solver::Search {
     max_propagations_ = add(propagator_.n_propagated(), limits.propagations);
     max_seconds_ = limits.seconds;
     stop_ = limits.stop;
-    start_time_ = Clock::now();
+    if (!std::isinf(max_seconds_)) start_time_ = Clock::now();
     n_until_clock_ = 0;
     n_restarts_ = 1;
     n_until_restart_ = kRestartUnit;
