@@ -41,6 +41,10 @@ std::vector<Triangle> surface_of(const delaunay::Triangulation3& delaunay,
   return triangles;
 }
 
+std::array<std::size_t, 2> ends(delaunay::VertexId a, delaunay::VertexId b) {
+  return {std::min(index(a), index(b)), std::max(index(a), index(b))};
+}
+
 double area(const std::array<delaunay::Point3, 3>& p) {
   const Eigen::Vector3d u = p[1] - p[0], v = p[2] - p[0];
   return 0.5 * std::sqrt(std::max(0.0, u.squaredNorm() * v.squaredNorm() -
@@ -127,8 +131,8 @@ HoleProgram HoleMaker::hole(std::size_t n, std::uint64_t seed,
   HoleProgram hole;
   hole.n_vertices = static_cast<std::size_t>(std::ranges::count(is_in, true));
   const std::vector<VarId> var_of = add_triangles(is_in, hole);
-  add_pairs(is_in, var_of, hole.problem);
-  add_rings(is_in, var_of, hole.problem);
+  add_rings(is_in, var_of, add_pairs(is_in, var_of, hole.problem),
+            hole.problem);
   if (with_sides) add_sides(var_of, hole.problem);
   return hole;
 }
@@ -157,43 +161,40 @@ std::vector<VarId> HoleMaker::add_triangles(const std::vector<bool>& is_in,
   return var_of;
 }
 
-void HoleMaker::add_pairs(const std::vector<bool>& is_in,
-                          std::span<const VarId> var_of, Problem& p) const {
-  std::map<std::array<std::size_t, 2>, std::vector<VarId>> pairs;
+// A pair for each edge with an end in the hole, by its ends.
+HoleMaker::Pairs HoleMaker::add_pairs(const std::vector<bool>& is_in,
+                                      std::span<const VarId> var_of,
+                                      Problem& p) const {
+  std::map<std::array<std::size_t, 2>, std::vector<VarId>> vars_of;
   for (std::size_t i = 0; i < triangles_.size(); ++i) {
     if (var_of[i] == kNoVariable) continue;
     const Triangle& corners = triangles_[i].corners;
     for (std::size_t k = 0; k < 3; ++k) {
-      // Braces: the other std::minmax refers to its arguments.
-      const auto [a, b] =
-          std::minmax({index(corners[k]), index(corners[(k + 1) % 3])});
-      if (is_in[a] || is_in[b]) pairs[{a, b}].push_back(var_of[i]);
+      const auto edge = ends(corners[k], corners[(k + 1) % 3]);
+      if (is_in[edge[0]] || is_in[edge[1]]) vars_of[edge].push_back(var_of[i]);
     }
   }
-  for (const auto& [edge, vars] : pairs) p.add_pair(vars);
+  Pairs pairs;
+  for (const auto& [edge, vars] : vars_of) pairs[edge] = p.add_pair(vars).index;
+  return pairs;
 }
 
 void HoleMaker::add_rings(const std::vector<bool>& is_in,
-                          std::span<const VarId> var_of, Problem& p) const {
+                          std::span<const VarId> var_of, const Pairs& pairs,
+                          Problem& p) const {
   std::map<std::size_t, std::vector<Spoke>> rings;
-  std::map<std::array<std::size_t, 2>, std::uint32_t> nodes;
-  std::map<std::size_t, std::uint32_t> n_nodes;
-  const auto node = [&](std::size_t v, std::size_t end) {
-    const auto [found, is_new] = nodes.try_emplace({v, end}, n_nodes[v]);
-    if (is_new) ++n_nodes[v];
-    return found->second;
-  };
   for (std::size_t i = 0; i < triangles_.size(); ++i) {
     if (var_of[i] == kNoVariable) continue;
     const Triangle& corners = triangles_[i].corners;
     for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t v = index(corners[k]);
-      if (!is_in[v]) continue;
-      const std::uint32_t a = node(v, index(corners[(k + 1) % 3]));
-      rings[v].push_back({var_of[i], a, node(v, index(corners[(k + 2) % 3]))});
+      const auto v = corners[k];
+      if (is_in[index(v)])
+        rings[index(v)].push_back({var_of[i],
+                                   pairs.at(ends(v, corners[(k + 1) % 3])),
+                                   pairs.at(ends(v, corners[(k + 2) % 3]))});
     }
   }
-  for (const auto& [v, spokes] : rings) p.add_ring(spokes);
+  for (const auto& [v, spokes] : rings) p.add_ring_of_pairs(spokes);
 }
 
 namespace {

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <random>
 #include <span>
 #include <string_view>
@@ -60,10 +61,12 @@ class HoleMaker {
   std::vector<bool> patch(std::size_t n, std::uint64_t seed) const;
   std::vector<ilp::VarId> add_triangles(const std::vector<bool>& is_in,
                                         HoleProgram& hole) const;
-  void add_pairs(const std::vector<bool>& is_in,
-                 std::span<const ilp::VarId> var_of, ilp::Problem& p) const;
+  using Pairs = std::map<std::array<std::size_t, 2>, std::uint32_t>;
+  Pairs add_pairs(const std::vector<bool>& is_in,
+                  std::span<const ilp::VarId> var_of, ilp::Problem& p) const;
   void add_rings(const std::vector<bool>& is_in,
-                 std::span<const ilp::VarId> var_of, ilp::Problem& p) const;
+                 std::span<const ilp::VarId> var_of, const Pairs& pairs,
+                 ilp::Problem& p) const;
   void add_sides(std::span<const ilp::VarId> var_of, ilp::Problem& p) const;
 
   bool is_closed_ = false;
