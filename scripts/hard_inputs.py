@@ -169,6 +169,46 @@ def clusters(rng, n):
     return points
 
 
+def far_balls(rng, n, size):
+    """Balls full of so many points each, apart on a lattice."""
+    return [tuple(5 * c + x for c, x in zip(
+                ((i // size) % 10, (i // size) // 10 % 10, i // size // 100),
+                on_sphere(rng, rng.random() ** (1 / 3)))) for i in range(n)]
+
+
+@family
+def balls_of_100(rng, n):
+    return far_balls(rng, n, 100)
+
+
+@family
+def balls_of_1000(rng, n):
+    return far_balls(rng, n, 1000)
+
+
+def sphere_with_balls(rng, n, size):
+    """A fifth of the points in balls of so many, centred on a unit sphere."""
+    radius = math.sqrt(size / n)
+    points = []
+    for i in range(n - n // 5):
+        p = on_sphere(rng)
+        points.append(p)
+        if i % (4 * size) == 0:
+            points += [on_sphere(rng, radius * rng.random() ** (1 / 3), p)
+                       for _ in range(size)]
+    return points
+
+
+@family
+def warts_of_60(rng, n):
+    return sphere_with_balls(rng, n, 60)
+
+
+@family
+def warts_of_1000(rng, n):
+    return sphere_with_balls(rng, n, 1000)
+
+
 @family
 def nested_spheres(rng, n):
     spacing = math.sqrt(8 * math.pi / n)
