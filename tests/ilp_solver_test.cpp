@@ -327,6 +327,40 @@ TEST(Solver, StopsAtItsLimitsAndGoesOn) {
   EXPECT_TRUE(checked.checker().is_refuted());
 }
 
+// The second solver is told all assumptions anew each time; they go the same
+// way, whatever was assumed and taken back before, with clauses between.
+TEST(Solver, GoesTheSameWayWhenAssumptionsStay) {
+  std::mt19937_64 rng(20261122);
+  for (int trial = 0; trial < 300; ++trial) {
+    SCOPED_TRACE(testing::Message() << "trial " << trial);
+    const Problem problem = support::random_surface_program(rng, 12);
+    Solver stays(problem), anew(problem);
+    std::vector<Literal> assumed;
+    (void)stays.solve();
+    (void)anew.solve();
+    for (const VarId v : support::random_order(rng, problem.n_variables())) {
+      for (; !assumed.empty() && rng() % 3 == 0; assumed.pop_back())
+        stays.retract();
+      assumed.emplace_back(v, rng() % 4 == 0);
+      stays.assume(assumed.back());
+      if (rng() % 3 == 0) continue;
+      const Status status = anew.solve(assumed);
+      ASSERT_EQ(stays.solve_assumed(), status);
+      EXPECT_EQ(stays.model(), anew.model());
+      EXPECT_EQ(stays.statistics().propagations,
+                anew.statistics().propagations);
+      if (status == Status::Infeasible) {
+        EXPECT_EQ(stays.core().assumptions, anew.core().assumptions);
+      }
+      if (rng() % 8 > 0) continue;
+      const std::array clause = {Literal(v, rng() % 2 == 0), !assumed.front()};
+      stays.add_clause(clause);
+      anew.add_clause(clause);
+    }
+    if (HasFailure()) return;
+  }
+}
+
 TEST(Solver, CoreLeavesOutWhatIsElsewhere) {
   Problem problem = pigeons();
   const VarId first = problem.add_variables(20);
@@ -345,6 +379,7 @@ TEST(Solver, RefusesUnknownVariables) {
   Solver solver(pigeons());
   const std::array unknown = {Literal(VarId{42}, true)};
   EXPECT_THROW(solver.solve(unknown), std::invalid_argument);
+  EXPECT_THROW(solver.assume(unknown[0]), std::invalid_argument);
   EXPECT_THROW(solver.add_clause(unknown), std::invalid_argument);
   EXPECT_THROW(solver.add_linear(std::array{Term{VarId{42}, 1}}, 0),
                std::invalid_argument);

@@ -9,7 +9,6 @@
 #include "ilp/improve.h"
 
 #include <algorithm>
-#include <vector>
 
 #include "ilp/budget.h"
 
@@ -23,14 +22,17 @@ Improvement descend(Solver& solver, std::span<const VarId> worst_first,
   if (best.status != Status::Feasible) return best;
   best.model = solver.model();
 
-  std::vector<Literal> prefix;
   for (const VarId v : worst_first) {
-    prefix.emplace_back(v, false);
+    solver.assume(Literal(v, false));
     if (best.model[index(v)]) {
-      const Status status = solver.solve(prefix, budget.left());
+      const Status status = solver.solve_assumed(budget.left());
       if (status == Status::Limit) return best;
-      if (status == Status::Feasible) best.model = solver.model();
-      prefix.back() = Literal(v, status == Status::Infeasible);
+      if (status == Status::Feasible) {
+        best.model = solver.model();
+      } else {
+        solver.retract();
+        solver.assume(Literal(v, true));
+      }
     }
     ++best.n_proven;
   }

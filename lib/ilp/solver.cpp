@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <chrono>
 #include <cmath>
 #include <optional>
@@ -19,6 +20,7 @@
 
 #include "ilp/analysis.h"
 #include "ilp/antecedents.h"
+#include "ilp/constraint_counts.h"
 #include "ilp/decision_order.h"
 #include "ilp/late_literals.h"
 #include "ilp/proof.h"
@@ -54,11 +56,7 @@ class Solver::Search {
         order_(problem.n_variables()),
         analyzer_(problem.n_variables()),
         derivations_(kMaxDerivationItems),
-        n_pairs_(static_cast<std::uint32_t>(problem.n_pairs())),
-        n_rings_(static_cast<std::uint32_t>(problem.n_rings())),
-        n_sides_(static_cast<std::uint32_t>(problem.n_sides())),
-        n_clauses_(static_cast<std::uint32_t>(problem.n_clauses())),
-        n_linear_(static_cast<std::uint32_t>(problem.n_linear())),
+        counts_(problem),
         model_(problem.n_variables(), false),
         preferred_(problem.n_variables(), false) {}
 
@@ -75,7 +73,7 @@ class Solver::Search {
   ConstraintId add_clause(std::span<const Literal> literals) {
     check_known(literals);
     if (log_ != nullptr) log_->join(literals);
-    const ConstraintId id{ConstraintKind::Clause, n_clauses_++};
+    const ConstraintId id = counts_.add(ConstraintKind::Clause);
     std::vector<Literal> clause(literals.begin(), literals.end());
     if (normalize(clause)) join(clause, Antecedent(id), 0);
     return id;
@@ -108,7 +106,6 @@ class Solver::Search {
   }
 
   void set_log(ProofLog* log) { log_ = log; }
-
   void keep_cycles() { analyzer_.set_cycles(&cycles_); }
 
   std::vector<Cycle> cycles() const {
@@ -117,9 +114,26 @@ class Solver::Search {
     return {all.begin(), all.end()};
   }
 
+  void assume(Literal l) {
+    check_known({&l, 1});
+    assumptions_.push_back(l);
+  }
+
+  void retract() {
+    assert(!assumptions_.empty());
+    assumptions_.pop_back();
+    n_alike_ = std::min(n_alike_, assumptions_.size());
+  }
+
   Status solve(std::span<const Literal> assumptions, const Limits& limits) {
     check_known(assumptions);
-    start(assumptions, limits);
+    assumptions_.assign(assumptions.begin(), assumptions.end());
+    n_alike_ = 0;
+    return solve_assumed(limits);
+  }
+
+  Status solve_assumed(const Limits& limits) {
+    start(limits);
     for (;;) {
       if (!propagator_.propagate()) {
         if (values().n_levels() == 0) return refuted();
@@ -137,7 +151,6 @@ class Solver::Search {
   }
 
   const Model& model() const { return model_; }
-
   Statistics statistics() const {
     Statistics result = statistics_;
     result.propagations = propagator_.n_propagated();
@@ -148,7 +161,7 @@ class Solver::Search {
     Core core = find_core(propagator_, derivations_, refutation_);
     if (failed_assumption_) core.assumptions.push_back(*failed_assumption_);
     std::ranges::sort(core.assumptions);
-    if (!derivations_.is_complete()) core.constraints = all_constraints();
+    if (!derivations_.is_complete()) core.constraints = counts_.ids();
     return core;
   }
 
@@ -156,7 +169,6 @@ class Solver::Search {
   const Assignment& values() const { return propagator_.assignment(); }
 
   enum class Step { Decided, Complete, Refuted };
-
   struct Level {
     Literal decision;
     bool is_in_order;       // it came first of all that were open
@@ -174,7 +186,7 @@ class Solver::Search {
     check_terms(terms, bound);
     backtrack(0);
     propagator_.add_linear(terms, bound);
-    return {ConstraintKind::Linear, n_linear_++};
+    return counts_.add(ConstraintKind::Linear);
   }
 
   void check_terms(std::span<const Term> terms, std::int64_t bound) const {
@@ -232,8 +244,7 @@ class Solver::Search {
     propagator_.add_clause(clause, origin, glue);
   }
 
-  void start(std::span<const Literal> assumptions, const Limits& limits) {
-    assumptions_.assign(assumptions.begin(), assumptions.end());
+  void start(const Limits& limits) {
     return_to_order();
 
     constexpr std::uint64_t kMax = std::numeric_limits<std::uint64_t>::max();
@@ -251,11 +262,15 @@ class Solver::Search {
   }
 
   // Forgets all activity, and takes back what would not be decided again then:
-  // the levels up to the first that is another one [vanderTak11].
+  // the levels from the first on that is another one [vanderTak11].
   void return_to_order() {
     order_.forget_activity();
-    std::size_t n_assumed = 0;
-    std::uint32_t level = 0;
+    const auto first = std::ranges::partition_point(
+        levels_, [this](const Level& l) { return l.n_assumed < n_alike_; });
+    std::size_t n_assumed = std::min(
+        first == levels_.end() ? n_assumed_ : first->n_assumed, n_alike_);
+    auto level = static_cast<std::uint32_t>(first - levels_.begin());
+    n_alike_ = assumptions_.size();
     for (; level < values().n_levels(); ++level) {
       n_assumed = skip_assumed(n_assumed, level);
       if (!is_due(levels_[level], n_assumed)) break;
@@ -284,6 +299,7 @@ class Solver::Search {
   void backtrack(std::uint32_t level) {
     if (level >= values().n_levels()) return;
     const std::size_t n_kept = values().begin_of_level(level + 1);
+    n_in_model_ = std::min(n_in_model_, n_kept);
     for (const Literal l : values().trail().subspan(n_kept))
       order_.reopen(l.var());
     const auto known = late_.take(values(), n_kept, level);
@@ -371,7 +387,9 @@ class Solver::Search {
   }
 
   Status found() {
-    for (const Literal l : values().trail()) model_[index(l.var())] = l.value();
+    for (const Literal l : values().trail().subspan(n_in_model_))
+      model_[index(l.var())] = l.value();
+    n_in_model_ = model_.size();
     return Status::Feasible;
   }
 
@@ -393,36 +411,19 @@ class Solver::Search {
     return Status::Limit;
   }
 
-  std::vector<ConstraintId> all_constraints() const {
-    std::vector<ConstraintId> all;
-    for (std::uint32_t i = 0; i < n_pairs_; ++i)
-      all.push_back({ConstraintKind::Pair, i});
-    for (std::uint32_t i = 0; i < n_rings_; ++i)
-      all.push_back({ConstraintKind::Ring, i});
-    for (std::uint32_t i = 0; i < n_sides_; ++i)
-      all.push_back({ConstraintKind::Sides, i});
-    for (std::uint32_t i = 0; i < n_clauses_; ++i)
-      all.push_back({ConstraintKind::Clause, i});
-    for (std::uint32_t i = 0; i < n_linear_; ++i)
-      all.push_back({ConstraintKind::Linear, i});
-    return all;
-  }
-
   Propagator propagator_;
   DecisionOrder order_;
   Analyzer analyzer_;
   Derivations derivations_;
-  std::uint32_t n_pairs_;
-  std::uint32_t n_rings_;
-  std::uint32_t n_sides_;
-  std::uint32_t n_clauses_;
-  std::uint32_t n_linear_;
+  ConstraintCounts counts_;
 
   Branching branching_ = Branching::Adaptive;
   std::vector<Level> levels_;
   LateLiterals late_;
   std::vector<Literal> assumptions_;
-  std::size_t n_assumed_ = 0;  // the first ones hold
+  std::size_t n_assumed_ = 0;   // the first ones hold
+  std::size_t n_alike_ = 0;     // the first ones are those of the last call
+  std::size_t n_in_model_ = 0;  // the first of the trail are as in the model
   Model model_;
   Model preferred_;
   std::optional<ConstraintId> objective_;  // of require_better()
@@ -483,6 +484,13 @@ std::vector<Cycle> Solver::cycles() const { return search_->cycles(); }
 Status Solver::solve(std::span<const Literal> assumptions,
                      const Limits& limits) {
   return search_->solve(assumptions, limits);
+}
+
+void Solver::assume(Literal l) { search_->assume(l); }
+void Solver::retract() { search_->retract(); }
+
+Status Solver::solve_assumed(const Limits& limits) {
+  return search_->solve_assumed(limits);
 }
 
 const Model& Solver::model() const { return search_->model(); }

@@ -90,6 +90,15 @@ class Solver {
   Status solve(std::span<const Literal> assumptions = {},
                const Limits& limits = {});
 
+  /// One assumption more after those of the last solve().
+  /// @throws std::invalid_argument  unknown variable
+  void assume(Literal l);
+  /// Takes the last one back. @pre there is one
+  void retract();
+  /// Like solve(), under these. What was assumed in the last call as well costs
+  /// nothing, however much it is.
+  Status solve_assumed(const Limits& limits = {});
+
   /// The last model found; all false before.
   const Model& model() const;
 

@@ -291,30 +291,45 @@ bool RegionSolver::read_model(Work& work) {
   result.dropped = bare_vertices(work);
   if (options_.mode == CloseMode::Paper) return true;
 
-  bool is_good = true;
-  for (const Piece& piece : piece_finder_.find(change_of(result), is_open_)) {
-    if (is_among(piece, work.allowed) || !is_fragment(piece)) continue;
-    is_good = false;
-    cut(work, piece);
-  }
+  std::vector<Piece> banned = piece_finder_.find(change_of(result), is_open_);
+  std::erase_if(banned, [&](const Piece& piece) {
+    return is_among(piece, work.allowed) || !is_fragment(piece);
+  });
   result.has_waited = piece_finder_.has_waited();
-  return is_good;
+  cut(work, banned);
+  return banned.empty();
 }
 
-/// Asks for a triangle that leads out of the piece.
-void RegionSolver::cut(Work& work, const Piece& piece) {
-  std::vector<ilp::Literal> clause;
-  for (std::uint32_t i = 0; i < work.candidates.size(); ++i) {
-    const auto& corners = work.candidates[i].corners;
-    const auto inside =
-        std::count_if(corners.begin(), corners.end(), [&](VertexId v) {
-          return std::binary_search(piece.vertices.begin(),
-                                    piece.vertices.end(), v);
-        });
-    if (inside == 1 || inside == 2) clause.emplace_back(ilp::VarId{i}, true);
+/// Asks for triangles that lead out of the pieces. These share no vertex, so
+/// one look at the candidates serves for all.
+void RegionSolver::cut(Work& work, std::span<const Piece> pieces) {
+  if (pieces.empty()) return;
+  std::vector<VertexId> inside;
+  std::vector<std::uint32_t> piece_of;  // by vertex inside
+  for (std::uint32_t p = 0; p < pieces.size(); ++p) {
+    const std::vector<VertexId>& more = pieces[p].vertices;
+    inside.insert(inside.end(), more.begin(), more.end());
+    piece_of.insert(piece_of.end(), more.size(), p);
   }
-  work.add_clause(std::move(clause));
-  work.result.pieces.push_back(piece);
+  numbers_.assign(inside);
+  const auto place = [&](VertexId v) {
+    return numbers_.contains(v) ? piece_of[numbers_[v]]
+                                : static_cast<std::uint32_t>(pieces.size());
+  };
+  std::vector<std::vector<ilp::Literal>> clauses(pieces.size() + 1);
+  for (std::uint32_t i = 0; i < work.candidates.size(); ++i) {
+    const auto& [a, b, c] = work.candidates[i].corners;
+    const std::uint32_t p = place(a), q = place(b), r = place(c);
+    if (p == q && q == r) continue;
+    const ilp::Literal leads_out(ilp::VarId{i}, true);
+    clauses[p].push_back(leads_out);
+    if (q != p) clauses[q].push_back(leads_out);
+    if (r != p && r != q) clauses[r].push_back(leads_out);
+  }
+  clauses.pop_back();  // of vertices in no piece
+  for (auto& clause : clauses) work.add_clause(std::move(clause));
+  auto& all = work.result.pieces;
+  all.insert(all.end(), pieces.begin(), pieces.end());
 }
 
 /// Whether the piece is so small a part of all points, or of those that hang

@@ -85,7 +85,7 @@ class RegionSolver {
   ilp::Status solve(Work& work);
   static std::vector<VertexId> bare_vertices(const Work& work);
   bool read_model(Work& work);
-  void cut(Work& work, const Piece& piece);
+  void cut(Work& work, std::span<const Piece> pieces);
   bool is_fragment(const Piece& piece);
   ilp::Limits limits(const Work& work) const;
   void note(Work& work, ilp::Status status);
