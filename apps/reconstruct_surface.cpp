@@ -143,6 +143,14 @@ std::string state_of(const umbrella::SurfaceReport& surface) {
   return text;
 }
 
+// Why the exit code may be 3 although the surface is sound.
+std::string cut_text(const Request& request,
+                     const umbrella::Reconstruction& result) {
+  if (request.stage != Stage::Closed) return "";
+  if (terminal::Interrupt::flag()) return ", cut short by Ctrl-C";
+  return result.closing.timed_out ? ", cut short by --time-limit" : "";
+}
+
 std::ptrdiff_t n_dropped(const umbrella::Reconstruction& result,
                          umbrella::DropReason reason) {
   return std::ranges::count(result.drop_reasons, reason);
@@ -186,7 +194,7 @@ Outcome reconstruct_surface(const io::PointSet& points, const Request& request,
   if (result.surface.genus)
     outcome.summary += ", genus " + std::to_string(*result.surface.genus);
   outcome.summary += unused_text(result);
-  outcome.state = state_of(result.surface);
+  outcome.state = state_of(result.surface) + cut_text(request, result);
   outcome.sound = result.surface.closed && result.surface.manifold &&
                   !terminal::Interrupt::flag() && !result.closing.timed_out &&
                   n_dropped(result, umbrella::DropReason::Limit) == 0;

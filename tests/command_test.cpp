@@ -388,6 +388,8 @@ TEST_F(Command, SaysThatTheTimeWasUp) {
     EXPECT_EQ(report["surface"]["closed"], true);
     EXPECT_EQ(report["surface"]["manifold"], true);
     EXPECT_EQ(made.status, is_short ? 3 : 0) << made.err;
+    EXPECT_THAT(made.out, HasSubstr(is_short ? "manifold, cut short by --time"
+                                             : "manifold ("));
   }
 }
 
