@@ -12,7 +12,12 @@ namespace {
 using report::Json;
 using umbrella::Stage;
 
-void require_filter_options(const Request& request) {
+void require_space_options(const Request& request) {
+  if (request.curve)
+    throw std::invalid_argument("--curve is for points in the plane");
+  if (request.stage != Stage::Closed && !request.programs.are_empty())
+    throw std::invalid_argument(
+        "--write-opb, --write-lp and --write-mps are for --stage closed");
   if (umbrella::parse_method(request.method).is_umbrella()) return;
   if (request.criterion != "paper" || request.umbrella != "first")
     throw std::invalid_argument(
@@ -23,7 +28,6 @@ umbrella::Reconstruction run(const io::PointSet& points, const Request& request,
                              terminal::Progress& progress,
                              std::span<const umbrella::IndexedTriangle> faces,
                              ProgramFiles& programs) {
-  require_filter_options(request);
   umbrella::ReconstructOptions options;
   options.stage = request.stage;
   options.method = request.method;
@@ -177,8 +181,7 @@ std::string unused_text(const umbrella::Reconstruction& result) {
 Outcome reconstruct_surface(const io::PointSet& points, const Request& request,
                             terminal::Progress& progress,
                             std::span<const umbrella::IndexedTriangle> faces) {
-  if (request.curve)
-    throw std::invalid_argument("--curve is for points in the plane");
+  require_space_options(request);
   ProgramFiles programs(request.programs);
   umbrella::Reconstruction result =
       run(points, request, progress, faces, programs);
