@@ -9,6 +9,7 @@
 #include <set>
 #include <vector>
 
+#include "tests/support/point_sets.h"
 #include "umbrella/facets.h"
 #include "umbrella/region_internal.h"
 
@@ -16,17 +17,8 @@ namespace umbrella {
 namespace {
 
 using delaunay::Triangulation3;
+using tests::Family;
 using Vertices = std::vector<VertexId>;
-
-std::vector<Point3> random_points(std::mt19937_64& rng, std::size_t n) {
-  std::uniform_real_distribution<double> unit(-1, 1);
-  std::vector<Point3> points;
-  for (std::size_t i = 0; i < n; ++i) {
-    const double x = unit(rng), y = unit(rng), z = unit(rng);
-    points.emplace_back(x, y, z);
-  }
-  return points;
-}
 
 Vertices some_vertices(std::mt19937_64& rng, std::size_t n,
                        std::size_t n_wanted) {
@@ -49,16 +41,17 @@ std::vector<Triangle> corners_of(const std::vector<LocatedTriangle>& located) {
   return result;
 }
 
-TEST(Neighborhoods, OfferTheTrianglesOfARegion) {
+void expect_all_triangles(const std::vector<Point3>& points) {
   std::mt19937_64 rng(1);
-  const Triangulation3 triangulation(random_points(rng, 150));
-  const WorkingSurface surface(150, {});
+  const std::size_t n = points.size();
+  const Triangulation3 triangulation(points);
+  const WorkingSurface surface(n, {});
   Neighborhoods neighborhoods(triangulation, surface);
   for (int trial = 0; trial < 60; ++trial) {
     SCOPED_TRACE(testing::Message() << "trial " << trial);
     Region region;
-    region.vertices = some_vertices(rng, 150, 5 + rng() % 30);
-    region.stuck = some_vertices(rng, 150, rng() % 6);
+    region.vertices = some_vertices(rng, n, 5 + rng() % 30);
+    region.stuck = some_vertices(rng, n, rng() % 6);
     region.reach = 1 + static_cast<unsigned>(trial % 3);
     std::vector<Triangle> expected;
     std::set<VertexId> touched(region.vertices.begin(), region.vertices.end());
@@ -80,9 +73,19 @@ TEST(Neighborhoods, OfferTheTrianglesOfARegion) {
   }
 }
 
+TEST(Neighborhoods, OfferTheTrianglesOfARegion) {
+  expect_all_triangles(tests::make_points<3>(Family::Uniform, 150, 1));
+  std::vector<Point3> lattice;
+  for (int x = 0; x < 5; ++x)
+    for (int y = 0; y < 5; ++y)
+      for (int z = 0; z < 5; ++z) lattice.emplace_back(x, y, z);
+  expect_all_triangles(lattice);
+}
+
 TEST(Neighborhoods, ReachOneEdgeFar) {
   std::mt19937_64 rng(2);
-  const Triangulation3 triangulation(random_points(rng, 200));
+  const Triangulation3 triangulation(
+      tests::make_points<3>(Family::Uniform, 200, 2));
   const WorkingSurface surface(200, {});
   Neighborhoods neighborhoods(triangulation, surface);
   for (const std::size_t n_wanted : {0U, 1U, 2U, 10U, 200U}) {
@@ -128,7 +131,8 @@ std::set<Vertices> merged(std::vector<Vertices> sets,
 TEST(MergeHoles, JoinsThoseThatShareAVertexOrATriangle) {
   std::mt19937_64 rng(3);
   const std::size_t n = 60;
-  const Triangulation3 triangulation(random_points(rng, n));
+  const Triangulation3 triangulation(
+      tests::make_points<3>(Family::Uniform, n, 3));
   for (int trial = 0; trial < 200; ++trial) {
     SCOPED_TRACE(testing::Message() << "trial " << trial);
     std::vector<Hole> holes(2 + rng() % 4);
