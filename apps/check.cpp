@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "apps/command.h"
+#include "apps/option_checks.h"
 #include "apps/report.h"
 #include "io/mesh.h"
 #include "io/points.h"
@@ -124,8 +125,8 @@ void add_check(CLI::App& app, ExitCode& exit_code) {
   CLI::App* const sub =
       app.add_subcommand("check", "Say what a mesh is, from the mesh alone");
   sub->footer(
-      R"(The mesh is a PLY, OFF, OBJ or STL file of triangles, or a PLY or OBJ file of
-edges. Exit code 0: closed, manifold, and through all points of --points and
+      R"(The mesh is a PLY, OFF, OBJ or STL file of triangles, or a PLY, OBJ or .txt
+file of edges. Exit code 0: closed, manifold, and through all points of --points and
 through nothing else; 3 otherwise.
 
 Examples:
@@ -133,9 +134,11 @@ Examples:
   umbrella check mesh.ply --points scan.xyz --json)");
   sub->add_option("mesh", options->mesh, "Mesh file, - for standard input")
       ->required()
+      ->check(path_problem)
       ->type_name("MESH");
   sub->add_option("--points", options->points,
                   "The points that it should pass through")
+      ->check(path_problem)
       ->type_name("IN");
   sub->add_flag("--json", options->json, "Print JSON");
   sub->callback([options, &exit_code] { exit_code = check(*options); });

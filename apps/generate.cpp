@@ -80,6 +80,7 @@ void add_generate(CLI::App& app, ExitCode& exit_code) {
       ->type_name("X");
   sub->add_option("-o,--output", options->out,
                   "Point file: .ply, .obj or text [-, standard output]")
+      ->check(path_problem)
       ->type_name("FILE");
   sub->callback([options, &exit_code] { exit_code = generate(*options); });
 }

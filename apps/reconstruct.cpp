@@ -25,10 +25,11 @@ std::vector<std::string> strings(const Names& names) {
 }
 
 void add_point_files(CLI::App& sub, ReconstructOptions& options) {
-  sub.add_option("in", options.request.files,
+  sub.add_option("points", options.request.files,
                  "Point files (PLY, OFF, OBJ, STL, text), taken together; - is "
                  "standard input")
       ->required()
+      ->check(path_problem)
       ->type_name("IN");
 }
 

@@ -6,10 +6,12 @@
 
 namespace command {
 void add_output_options(CLI::App& sub, ReconstructOptions& options) {
+  const bool may_be_curve = !options.request.repairs;
   sub.add_option(
          "-o,--output", options.out,
-         "Mesh file: .ply (with lambda), .off, .obj, .stl; of a curve .ply, "
-         ".obj, .svg, .txt; - is standard output, as PLY")
+         std::string("Mesh file: .ply (with lambda), .off, .obj, .stl; ") +
+             (may_be_curve ? "of a curve .ply, .obj, .svg, .txt; " : "") +
+             "- is standard output, as PLY")
       ->check(path_problem)
       ->type_name("OUT");
   sub.add_option("--report", options.report,
@@ -17,7 +19,8 @@ void add_output_options(CLI::App& sub, ReconstructOptions& options) {
       ->check(path_problem)
       ->type_name("FILE");
   sub.add_option("--view", options.view,
-                 "HTML page that shows the surface or curve")
+                 std::string("HTML page that shows the surface") +
+                     (may_be_curve ? " or curve" : ""))
       ->check(path_problem)
       ->type_name("FILE");
 }

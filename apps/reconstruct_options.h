@@ -22,7 +22,7 @@ struct ReconstructOptions {
   terminal::Color color = terminal::Color::Auto;
 };
 
-/// -o, --report and --view.
+/// -o, --report and --view; what is repaired is no curve.
 void add_output_options(CLI::App& sub, ReconstructOptions& options);
 /// How holes are closed, and within what time.
 void add_closing_options(CLI::App& sub, Request& request);

@@ -12,7 +12,12 @@ namespace {
 using report::Json;
 using umbrella::Stage;
 
-void require_filter_options(const Request& request) {
+void require_space_options(const Request& request) {
+  if (request.curve)
+    throw std::invalid_argument("--curve is for points in the plane");
+  if (request.stage != Stage::Closed && !request.programs.are_empty())
+    throw std::invalid_argument(
+        "--write-opb, --write-lp and --write-mps are for --stage closed");
   if (umbrella::parse_method(request.method).is_umbrella()) return;
   if (request.criterion != "paper" || request.umbrella != "first")
     throw std::invalid_argument(
@@ -23,7 +28,6 @@ umbrella::Reconstruction run(const io::PointSet& points, const Request& request,
                              terminal::Progress& progress,
                              std::span<const umbrella::IndexedTriangle> faces,
                              ProgramFiles& programs) {
-  require_filter_options(request);
   umbrella::ReconstructOptions options;
   options.stage = request.stage;
   options.method = request.method;
@@ -143,6 +147,14 @@ std::string state_of(const umbrella::SurfaceReport& surface) {
   return text;
 }
 
+// Why the exit code may be 3 although the surface is sound.
+std::string cut_text(const Request& request,
+                     const umbrella::Reconstruction& result) {
+  if (request.stage != Stage::Closed) return "";
+  if (terminal::Interrupt::flag()) return ", cut short by Ctrl-C";
+  return result.closing.timed_out ? ", cut short by --time-limit" : "";
+}
+
 std::ptrdiff_t n_dropped(const umbrella::Reconstruction& result,
                          umbrella::DropReason reason) {
   return std::ranges::count(result.drop_reasons, reason);
@@ -169,8 +181,7 @@ std::string unused_text(const umbrella::Reconstruction& result) {
 Outcome reconstruct_surface(const io::PointSet& points, const Request& request,
                             terminal::Progress& progress,
                             std::span<const umbrella::IndexedTriangle> faces) {
-  if (request.curve)
-    throw std::invalid_argument("--curve is for points in the plane");
+  require_space_options(request);
   ProgramFiles programs(request.programs);
   umbrella::Reconstruction result =
       run(points, request, progress, faces, programs);
@@ -186,7 +197,7 @@ Outcome reconstruct_surface(const io::PointSet& points, const Request& request,
   if (result.surface.genus)
     outcome.summary += ", genus " + std::to_string(*result.surface.genus);
   outcome.summary += unused_text(result);
-  outcome.state = state_of(result.surface);
+  outcome.state = state_of(result.surface) + cut_text(request, result);
   outcome.sound = result.surface.closed && result.surface.manifold &&
                   !terminal::Interrupt::flag() && !result.closing.timed_out &&
                   n_dropped(result, umbrella::DropReason::Limit) == 0;

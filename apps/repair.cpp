@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "apps/command.h"
+#include "apps/option_checks.h"
 #include "apps/reconstruct_options.h"
 #include "apps/reconstruct_run.h"
 
@@ -26,6 +27,7 @@ Examples:
                   "Mesh file (PLY, OFF, OBJ, STL); - is standard input")
       ->required()
       ->expected(1)
+      ->check(path_problem)
       ->type_name("MESH");
   add_output_options(*sub, *options);
   add_closing_options(*sub, options->request);

@@ -60,8 +60,11 @@ class ProofFile {
 };
 
 void export_program(const Options& options, const ilp::Program& program) {
-  if (program.offset != 0)
-    std::cout << "c objective in exports: without " << program.offset << '\n';
+  const bool has_exports =
+      !(options.opb.empty() && options.lp.empty() && options.mps.empty());
+  if (has_exports && program.offset != 0)
+    std::cout << "c the files written leave out the constant " << program.offset
+              << " of the sum\n";
   ilp::LinearForm form = linear_form(program.problem);
   form.objective = program.objective;
   const auto write = [&form](const std::string& path, auto writer) {
@@ -176,7 +179,9 @@ void require_outputs(const Options& options) {
 ExitCode run(const Options& options) {
   require_outputs(options);
   const std::string name = options.in == "-" ? "<stdin>" : options.in;
-  const ilp::Program program = ilp::read_opb(io::read_file(options.in), name);
+  const std::string text = io::read_file(options.in);
+  if (text.empty()) throw io::ParseError(name + ": the file is empty");
+  const ilp::Program program = ilp::read_opb(text, name);
   std::cout << "c " << program.problem.n_variables() << " variables, "
             << program.problem.n_clauses() << " clauses, "
             << program.problem.n_linear() << " linear constraints\n";
@@ -203,6 +208,7 @@ void add_solve(CLI::App& app, ExitCode& exit_code) {
   sub->footer(kFooter);
   sub->add_option("file", options->in, "OPB file, - for standard input")
       ->required()
+      ->check(path_problem)
       ->type_name("FILE");
   const auto file = [sub](const char* name, std::string& path,
                           const char* what) {

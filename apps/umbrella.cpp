@@ -22,9 +22,9 @@ constexpr const char* kFooter = R"(Examples:
   umbrella reconstruct knot.ply -o mesh.ply --report mesh.json
   umbrella check mesh.ply --points knot.ply
 
-`-` is standard input or output. Exit codes: 0 a closed manifold surface;
-2 bad usage or bad input; 3 a surface that is not closed or not manifold;
-1 an error of the program itself.
+`-` is standard input or output. Exit codes: 0 done, a closed manifold surface;
+2 bad usage or bad input; 3 a surface that is not closed or not manifold, or a
+limit or Ctrl-C came first; 1 an error of the program itself.
 `umbrella SUBCOMMAND --help` lists the options of a subcommand.)";
 
 ExitCode fail(ExitCode code, std::string message) {

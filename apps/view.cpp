@@ -44,6 +44,7 @@ Examples:
   umbrella reconstruct scan.ply --view mesh.html)");
   sub->add_option("mesh", options->mesh, "Mesh file, - for standard input")
       ->required()
+      ->check(path_problem)
       ->type_name("MESH");
   sub->add_option("-o,--output", options->out,
                   "HTML file, - for standard output")

@@ -58,7 +58,7 @@ TEST_F(Command, PrintsHelpAndVersion) {
   EXPECT_EQ(run("--help").status, 0);
   EXPECT_THAT(run("--version").out, StartsWith("umbrella "));
   for (const std::string sub :
-       {"reconstruct", "repair", "check", "generate", "view"}) {
+       {"reconstruct", "repair", "check", "generate", "view", "solve"}) {
     const Finished help = run(sub + " --help");
     EXPECT_EQ(help.status, 0);
     EXPECT_THAT(help.out, HasSubstr("Examples:"));
@@ -69,7 +69,7 @@ TEST_F(Command, RefusesBadUsageInOneLine) {
   folder_.file("p.xyz", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n");
   expect_error("", "subcommand is required");
   expect_error("reconstrukt p.xyz", "reconstrukt");
-  expect_error("reconstruct", "in is required");
+  expect_error("reconstruct", "points is required");
   expect_error("reconstruct p.xyz --frobnicate", "--frobnicate");
   expect_error("reconstruct p.xyz --stage sideways",
                "--stage: 'sideways' is none of filter, clean, closed\n");
@@ -108,6 +108,10 @@ TEST_F(Command, RefusesBadUsageInOneLine) {
   expect_error("generate knot -n 3 --seed -1", "--seed: Value -1 is negative");
   expect_error("generate knot -n 3 --noise -1", "noise");
   expect_error("check", "mesh is required");
+  for (const std::string arguments :
+       {"reconstruct ''", "repair ''", "check ''", "check p.xyz --points ''",
+        "view '' -o v.html", "solve ''", "generate knot -n 3 -o ''"})
+    expect_error(arguments, "the name of a file is empty");
 }
 
 TEST_F(Command, MakesPagesThatShowMeshes) {
@@ -369,6 +373,8 @@ TEST_F(Command, WritesEachProgramOfTheClosing) {
 
   folder_.file("p.xy", "0 0\n1 0\n0 1\n1 1\n");
   expect_error("reconstruct p.xy --write-lp p", "are for points in space");
+  expect_error("reconstruct s.ply --stage clean --write-lp p",
+               "are for --stage closed");
   expect_error("reconstruct s.ply --write-lp no/p", "no/p-1.lp: cannot write");
   std::filesystem::copy(folder_.path("s.ply"), folder_.path("q-2.lp"));
   expect_error("reconstruct q-2.lp --write-lp q", "would overwrite q-2.lp");
@@ -388,6 +394,8 @@ TEST_F(Command, SaysThatTheTimeWasUp) {
     EXPECT_EQ(report["surface"]["closed"], true);
     EXPECT_EQ(report["surface"]["manifold"], true);
     EXPECT_EQ(made.status, is_short ? 3 : 0) << made.err;
+    EXPECT_THAT(made.out, HasSubstr(is_short ? "manifold, cut short by --time"
+                                             : "manifold ("));
   }
 }
 

@@ -83,6 +83,8 @@ TEST(Interrupt, WritesTheBestSurfaceSoFar) {
   EXPECT_GT(report["closing"]["undecided"], 0);
   EXPECT_GT(report["surface"]["triangles"], 0);
   EXPECT_FALSE(folder.content("mesh.ply").empty());
+  EXPECT_NE(folder.content("out").find(", cut short by Ctrl-C ("),
+            std::string::npos);
 }
 
 // The least number of variables that meet many random threesomes: a model is

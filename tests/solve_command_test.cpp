@@ -13,6 +13,7 @@
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 class SolveCommand : public ::testing::Test {
  protected:
@@ -85,6 +86,11 @@ TEST_F(SolveCommand, WritesTheProgramInOtherFormats) {
   EXPECT_THAT(folder_.content("q.lp"), HasSubstr("Subject To"));
   EXPECT_THAT(folder_.content("q.mps"), HasSubstr("ENDATA"));
   EXPECT_THAT(run("q.opb").out, HasSubstr("\no -20\n"));
+
+  folder_.file("shifted.opb", "min: 3 ~x1 ;\nx1 >= 0 ;\n");
+  EXPECT_THAT(run("shifted.opb --write-opb q.opb").out,
+              HasSubstr("leave out the constant 3 of the sum\n"));
+  EXPECT_THAT(run("shifted.opb").out, Not(HasSubstr("constant")));
 }
 
 TEST_F(SolveCommand, RefusesBadInputInOneLine) {
@@ -95,6 +101,9 @@ TEST_F(SolveCommand, RefusesBadInputInOneLine) {
             "umbrella: error: p.opb:1:9: expected a number, not what stands "
             "here\n");
   EXPECT_EQ(run("missing.opb").status, 2);
+  folder_.file("empty.opb", "");
+  EXPECT_EQ(run("empty.opb").status, 2);
+  EXPECT_THAT(folder_.content("err"), HasSubstr("the file is empty"));
   folder_.file("q.opb", kKnapsack);
   EXPECT_EQ(run("q.opb --proof missing/p.log").status, 2);
   for (const std::string wrong_options :
