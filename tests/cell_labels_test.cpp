@@ -15,6 +15,7 @@
 #include "umbrella/clean_up.h"
 #include "umbrella/criterion.h"
 #include "umbrella/filter.h"
+#include "umbrella/label_window_internal.h"
 #include "umbrella/labelling_internal.h"
 
 namespace umbrella {
@@ -194,6 +195,61 @@ TEST(CellLabels, LeaveAloneWhatIsNotOpen) {
       return std::ranges::binary_search(open, v);
     });
     EXPECT_TRUE(is_open || std::ranges::binary_search(whole, triangle.corners));
+  }
+}
+
+/// A closed surface without the triangles about some of its vertices.
+struct Torn {
+  std::vector<LocatedTriangle> kept;
+  std::vector<VertexId> open;  // corners of what has gone, or some of them
+};
+
+Torn torn(std::vector<LocatedTriangle> surface, int n_places,
+          std::mt19937_64& rng) {
+  Torn result;
+  for (int place = 0; place < n_places; ++place) {
+    const VertexId v = surface[rng() % surface.size()].corners[rng() % 3];
+    const bool opens_all = rng() % 4 > 0;
+    std::erase_if(surface, [&](const LocatedTriangle& t) {
+      if (std::ranges::count(t.corners, v) == 0 || rng() % 4 == 0) return false;
+      for (const VertexId corner : t.corners)
+        if (opens_all || corner == v) result.open.push_back(corner);
+      return true;
+    });
+  }
+  std::ranges::sort(result.open);
+  result.open.erase(std::unique(result.open.begin(), result.open.end()),
+                    result.open.end());
+  result.kept = std::move(surface);
+  return result;
+}
+
+/// Also where what is kept contradicts itself near open vertices, and where
+/// points are bare.
+TEST(CellLabels, SayTheSameInAWindow) {
+  for (const char* shape : {"cube", "plate", "two-sheets"}) {
+    const Triangulation3 t(shapes::sample(shape, 6000, {}));
+    const auto surface = closed_surface(t);
+    std::mt19937_64 rng(9);
+    int n_windows = 0;
+    for (int trial = 0; trial < 6; ++trial) {
+      SCOPED_TRACE(testing::Message() << shape << ", trial " << trial);
+      const auto [kept, open] = torn(surface, 1 + trial % 3, rng);
+      n_windows += LabelWindow(t, kept, open).is_small() ? 1 : 0;
+      const auto whole = close_by_cell_labels(t, kept, open);
+      const auto same =
+          close_by_cell_labels(t, kept, open, {.is_closed_elsewhere = true});
+      EXPECT_EQ(corners_of(same.triangles), corners_of(whole.triangles));
+      EXPECT_EQ(same.left_out, whole.left_out);
+      EXPECT_EQ(same.report.mended, whole.report.mended);
+      EXPECT_EQ(same.report.given_up, whole.report.given_up);
+      for (const auto& [corners, facet] : same.triangles) {
+        ASSERT_EQ(umbrella::corners(t, facet), corners);
+        ASSERT_LT(facet.cell(),
+                  t.cell(facet.cell()).neighbor[facet.index()].cell());
+      }
+    }
+    EXPECT_GE(n_windows, 2) << shape;  // or the test shows nothing
   }
 }
 

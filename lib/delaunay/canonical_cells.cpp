@@ -5,38 +5,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
-#include <utility>
+
+#include "delaunay/canonical_order_internal.h"
 
 namespace delaunay {
 namespace {
-
-using Corners = std::array<VertexId, 4>;
-
-Corners ascending(const Cell& cell) {
-  Corners corners = cell.vertex;
-  std::sort(corners.begin(), corners.end());
-  return corners;
-}
-
-bool is_even_permutation(const Corners& corners) {
-  unsigned inversions = 0;
-  for (unsigned k = 0; k < 4; ++k)
-    for (unsigned i = 0; i < k; ++i)
-      inversions += corners[i] > corners[k] ? 1U : 0U;
-  return inversions % 2 == 0;
-}
-
-/// In the order of a copy.
-Corners ordered(const Cell& cell) {
-  Corners corners = ascending(cell);
-  if (!is_even_permutation(cell.vertex)) std::swap(corners[0], corners[1]);
-  return corners;
-}
-
-unsigned position(const Corners& corners, VertexId v) {
-  return static_cast<unsigned>(std::find(corners.begin(), corners.end(), v) -
-                               corners.begin());
-}
 
 /// The facet of cell `to`, which has the corners of `from`, opposite the same.
 Facet translated(const Cell& from, unsigned i, CellId id, const Cell& to) {
@@ -66,7 +39,7 @@ void CanonicalCells::number_cells() {
            (c < original_.n_finite_cells() ? 0 : n_points);
   };
   for (std::size_t c = 0; c < n; ++c) {
-    corners[c] = ascending(original_.cells()[c]);
+    corners[c] = ascending(original_.cells()[c].vertex);
     ++first[bucket(c) + 1];
   }
   std::partial_sum(first.begin(), first.end(), first.begin());
@@ -89,7 +62,7 @@ void CanonicalCells::rewrite_cells() {
   std::vector<std::uint8_t> places(n);
   for (std::size_t c = 0; c < n; ++c) {
     const Cell& from = original_.cells()[c];
-    const Corners corners = ordered(from);
+    const Corners corners = in_canonical_order(from.vertex);
     for (unsigned i = 0; i < 4; ++i)
       places[c] |=
           static_cast<std::uint8_t>(position(corners, from.vertex[i]) << 2 * i);

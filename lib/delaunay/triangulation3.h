@@ -96,6 +96,7 @@ class Triangulation3 {
 
  private:
   friend class CanonicalCells;  // copies, and numbers the cells of the copy
+  friend class CellWindow;      // the same with some of the cells
 
   LazyVector<Point3> points_;
   std::vector<VertexId> vertex_of_row_;

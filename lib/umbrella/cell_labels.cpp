@@ -3,31 +3,33 @@
 // so. Each step is deterministic, and has a proof of its end in docs/labels.md.
 #include "umbrella/cell_labels.h"
 
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "delaunay/canonical_cells.h"
 #include "umbrella/label_frame_internal.h"
 #include "umbrella/label_mending_internal.h"
 #include "umbrella/label_moves_internal.h"
+#include "umbrella/label_window_internal.h"
 
 namespace umbrella {
 namespace {
 
-/// Ties go by the numbers of cells here.
-CellLabelResult close_canonical(const delaunay::Triangulation3& triangulation,
-                                std::span<const LocatedTriangle> kept,
-                                std::span<const VertexId> open,
-                                const CellLabelOptions& options) {
-  CellLabelResult result;
-  LabelFrame frame(triangulation, options.weight, kept, open);
-  Labelling labels(triangulation);
+/// Ties go by the numbers of cells here. @return none if the labels have left a
+/// window
+std::optional<CellLabelReport> close_canonical(
+    LabelFrame& frame, std::span<const LocatedTriangle> kept,
+    const CellLabelOptions& options, Labelling& labels) {
+  CellLabelReport report;
   label_worst_first(frame, kept, labels);
   if (!labels.faulty_vertices().empty()) {
     const auto held = held_by_cut(frame, kept, labels);
     frame.keep(held);
     label_worst_first(frame, held, labels);
   }
-  result.report.mended = LabelMending(frame, labels).run();
+  report.mended = LabelMending(frame, labels).run();
+  if (labels.has_left_window()) return std::nullopt;
 
   LabelMoves moves(frame, labels);
   const auto is_stopped = [&] {
@@ -35,19 +37,18 @@ CellLabelResult close_canonical(const delaunay::Triangulation3& triangulation,
   };
   bool goes_on = true;
   while (goes_on && !is_stopped()) {
-    result.report.dissolved += moves.dissolve(options.piece_triangles);
+    report.dissolved += moves.dissolve(options.piece_triangles);
     std::size_t n = moves.bring_in(unused_vertices(labels));
     n += moves.reach(unused_vertices(labels));
+    if (labels.has_left_window()) return std::nullopt;
     const std::size_t n_exchanged = moves.exchange();
-    result.report.brought_in += n;
-    result.report.improvements += n_exchanged;
+    report.brought_in += n;
+    report.improvements += n_exchanged;
     goes_on = n_exchanged > 0 && !unused_vertices(labels).empty();
   }
-  result.triangles = labels.surface();
-  result.left_out = unused_vertices(labels);
   for (const LocatedTriangle& t : kept)
-    result.report.given_up += labels.is_on_surface(t.facet) ? 0 : 1;
-  return result;
+    report.given_up += labels.is_on_surface(t.facet) ? 0 : 1;
+  return report;
 }
 
 delaunay::Facet in_lower_cell(const delaunay::Triangulation3& triangulation,
@@ -57,6 +58,46 @@ delaunay::Facet in_lower_cell(const delaunay::Triangulation3& triangulation,
   return other.cell() < f.cell() ? other : f;
 }
 
+std::optional<CellLabelResult> close_in_window(
+    const delaunay::Triangulation3& triangulation,
+    std::span<const LocatedTriangle> kept, std::span<const VertexId> open,
+    const CellLabelOptions& options) {
+  if (kept.empty()) return std::nullopt;
+  const LabelWindow window(triangulation, kept, open);
+  if (!window.is_small()) return std::nullopt;
+  LabelFrame frame(window, options.weight);
+  Labelling labels(window.triangulation());
+  labels.set_border(window.border());
+  const auto report = close_canonical(frame, window.kept(), options, labels);
+  if (!report) return std::nullopt;
+  CellLabelResult result;
+  result.report = *report;
+  result.triangles = window.with_rest(labels.surface());
+  result.left_out = unused_vertices(labels);
+  for (VertexId& v : result.left_out) v = window.to_original(v);
+  return result;
+}
+
+CellLabelResult close_in_whole(const delaunay::Triangulation3& triangulation,
+                               std::span<const LocatedTriangle> kept,
+                               std::span<const VertexId> open,
+                               const CellLabelOptions& options) {
+  const delaunay::CanonicalCells cells(triangulation);
+  std::vector<LocatedTriangle> located(kept.begin(), kept.end());
+  for (LocatedTriangle& t : located)
+    t.facet =
+        in_lower_cell(cells.triangulation(), cells.from_original(t.facet));
+  LabelFrame frame(cells.triangulation(), options.weight, located, open);
+  Labelling labels(cells.triangulation());
+  CellLabelResult result;
+  result.report = *close_canonical(frame, located, options, labels);
+  result.triangles = labels.surface();
+  for (LocatedTriangle& t : result.triangles)
+    t.facet = in_lower_cell(triangulation, cells.to_original(t.facet));
+  result.left_out = unused_vertices(labels);
+  return result;
+}
+
 }  // namespace
 
 CellLabelResult close_by_cell_labels(
@@ -64,16 +105,10 @@ CellLabelResult close_by_cell_labels(
     std::span<const LocatedTriangle> kept, std::span<const VertexId> open,
     const CellLabelOptions& options) {
   if (triangulation.dimension() < 3) return {};
-  const delaunay::CanonicalCells cells(triangulation);
-  std::vector<LocatedTriangle> located(kept.begin(), kept.end());
-  for (LocatedTriangle& t : located)
-    t.facet =
-        in_lower_cell(cells.triangulation(), cells.from_original(t.facet));
-  CellLabelResult result =
-      close_canonical(cells.triangulation(), located, open, options);
-  for (LocatedTriangle& t : result.triangles)
-    t.facet = in_lower_cell(triangulation, cells.to_original(t.facet));
-  return result;
+  if (options.is_closed_elsewhere)
+    if (auto result = close_in_window(triangulation, kept, open, options))
+      return std::move(*result);
+  return close_in_whole(triangulation, kept, open, options);
 }
 
 }  // namespace umbrella

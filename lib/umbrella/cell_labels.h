@@ -23,6 +23,10 @@ struct CellLabelOptions {
   /// Once true, points are no longer brought in and nothing is improved: what
   /// is left to do takes little time, and the result is closed all the same.
   const std::atomic<bool>* stop = nullptr;
+  /// The caller promises that `kept` ascends by corners and is manifold at all
+  /// vertices that are neither open nor bare. The result is the same, in a time
+  /// that goes with the number of these where they are few.
+  bool is_closed_elsewhere = false;
 };
 
 struct CellLabelReport {

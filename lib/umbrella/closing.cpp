@@ -352,9 +352,12 @@ bool Closing::label_cells() {
   std::vector<VertexId> open;
   for (std::size_t v = 0; v < is_open_.size(); ++v)
     if (is_open_[v]) open.push_back(VertexId{static_cast<std::uint32_t>(v)});
-  CellLabelResult labelled = close_by_cell_labels(
-      triangulation_, result_.triangles, open,
-      {options_.weight, options_.piece_triangles, options_.stop});
+  CellLabelResult labelled =
+      close_by_cell_labels(triangulation_, result_.triangles, open,
+                           {.weight = options_.weight,
+                            .piece_triangles = options_.piece_triangles,
+                            .stop = options_.stop,
+                            .is_closed_elsewhere = true});
   result_.triangles = std::move(labelled.triangles);
   dropped_ = std::move(labelled.left_out);
   return true;

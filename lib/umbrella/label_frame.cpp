@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "umbrella/cell_cut_internal.h"
@@ -17,9 +18,11 @@ LabelFrame::LabelFrame(const Triangulation3& triangulation, CloseWeight weight,
                        std::span<const VertexId> open)
     : triangulation_(triangulation),
       badness_(triangulation, weight),
-      is_open_(triangulation.points().size()) {
+      is_open_(triangulation.points().size()),
+      level_(triangulation.points().size()) {
   keep(kept);
   for (const VertexId v : open) is_open_[index(v)] = 1;
+  find_levels();
 }
 
 void LabelFrame::keep(std::span<const LocatedTriangle> kept) {
@@ -39,6 +42,30 @@ bool LabelFrame::is_open(Facet f) const {
                      [&](unsigned k) { return is_open(cell.vertex[k]); });
 }
 
+/// By vertex, from cell to cell.
+void LabelFrame::find_levels() {
+  for (std::size_t v = 0; v < is_open_.size(); ++v)
+    level_[v] = is_open_[v] != 0 ? 0 : kFar;
+  for (std::uint8_t level = 0; level + 1 < kFar; ++level)
+    for (std::size_t c = 0; c < triangulation_.n_finite_cells(); ++c) {
+      const auto& corners = triangulation_.cells()[c].vertex;
+      if (std::any_of(corners.begin(), corners.end(),
+                      [&](VertexId v) { return level_[index(v)] == level; }))
+        for (const VertexId v : corners)
+          level_[index(v)] =
+              std::min<std::uint8_t>(level_[index(v)], level + 1);
+    }
+}
+
+unsigned LabelFrame::level(Facet f) const {
+  const Cell& cell = triangulation_.cell(f.cell());
+  unsigned level = kFar;
+  for (const unsigned k : delaunay::kFacetCorners[f.index()])
+    if (cell.vertex[k] != delaunay::kInfinite)
+      level = std::min<unsigned>(level, level_[index(cell.vertex[k])]);
+  return level;
+}
+
 bool LabelFrame::is_open(CellId c) const {
   const Cell& cell = triangulation_.cell(c);
   return !cell.is_infinite() &&
@@ -56,26 +83,50 @@ struct WeighedFacet {
 /// Relates all cells to each other, the surest relations first.
 class Relations {
  public:
-  explicit Relations(const LabelFrame& frame)
+  Relations(const LabelFrame& frame, std::span<const LocatedTriangle> kept)
       : frame_(frame),
         triangulation_(frame.triangulation()),
-        sets_(triangulation_.cells().size()) {}
+        kept_(kept),
+        sets_(triangulation_.cells().size() + 1) {}
 
-  /// The order matters only if some contradict each other, which takes a walk
-  /// about an edge, say, that crosses kept triangles alone.
-  void relate_across_kept(std::span<const LocatedTriangle> kept) {
-    relate_beyond_hull();
-    const bool agree = std::all_of(
-        kept.begin(), kept.end(),
-        [this](const LocatedTriangle& t) { return relate(t.facet, 1); });
-    if (agree) return;
-    sets_ = ParitySets(triangulation_.cells().size());
-    relate_beyond_hull();
-    relate_best_first(kept);
+  void relate_all() {
+    sort_facets();
+    for (unsigned level = LabelFrame::kFar + 1; level-- > 0;) {
+      bool agree = relate_across_kept(level);
+      for (const Facet f : closed_[level]) agree = relate(f, 0) && agree;
+      if (level == LabelFrame::kFar) {
+        have_agreed_ = agree;
+        if (frame_.window() != nullptr) relate_outside();
+      }
+    }
+    relate_across_open();
   }
 
-  /// Closed triangles; the open ones wait.
-  void relate_across_others() {
+  bool is_inside(std::size_t c) {
+    return sets_.find(c).parity != sets_.find(hull()).parity;
+  }
+
+  /// Whether the triangles far away have, and have related all cells beyond a
+  /// window to the hull.
+  bool have_agreed() const { return have_agreed_; }
+
+ private:
+  /// What lies beyond it.
+  std::size_t hull() const { return triangulation_.cells().size(); }
+
+  void relate_beyond_hull() {
+    const std::size_t first = triangulation_.n_finite_cells();
+    for (std::size_t c = first; c < triangulation_.cells().size(); ++c) {
+      const CellId beyond{static_cast<std::uint32_t>(c)};
+      if (frame_.window() == nullptr || frame_.window()->is_beyond_hull(beyond))
+        sets_.relate(hull(), c, 0);
+    }
+  }
+
+  void sort_facets() {
+    relate_beyond_hull();
+    for (const LocatedTriangle& t : kept_)
+      walls_[frame_.level(t.facet)].push_back(t);
     for (std::uint32_t c = 0; c < triangulation_.n_finite_cells(); ++c)
       for (unsigned i = 0; i < 4; ++i) {
         const Facet facet(CellId{c}, i);
@@ -84,8 +135,22 @@ class Relations {
         if (frame_.is_open(facet))
           open_.push_back({frame_.badness(facet), facet});
         else
-          relate(facet, 0);
+          closed_[frame_.level(facet)].push_back(facet);
       }
+  }
+
+  /// The order matters only if some contradict each other, which takes a walk
+  /// about an edge, say, that crosses kept triangles alone.
+  /// @return whether that is not so
+  bool relate_across_kept(unsigned level) {
+    const ParitySets before = sets_;
+    const bool agree = std::all_of(
+        walls_[level].begin(), walls_[level].end(),
+        [this](const LocatedTriangle& t) { return relate(t.facet, 1); });
+    if (agree) return true;
+    sets_ = before;
+    relate_best_first(walls_[level]);
+    return false;
   }
 
   void relate_across_open() {
@@ -96,16 +161,35 @@ class Relations {
     for (const WeighedFacet& f : open_) relate(f.facet, 0);
   }
 
-  bool is_inside(std::size_t c) {
-    return sets_.find(c).parity !=
-           sets_.find(triangulation_.n_finite_cells()).parity;
+  bool is_related_to_hull(std::size_t c) {
+    return sets_.find(c).root == sets_.find(hull()).root;
   }
 
- private:
-  void relate_beyond_hull() {
-    const std::size_t first = triangulation_.n_finite_cells();
-    for (std::size_t c = first; c < triangulation_.cells().size(); ++c)
-      sets_.relate(first, c, 0);
+  /// Cells beyond the window to others and to the hull, along ways outside. Few
+  /// ways are enough, for most of these cells hang together.
+  void relate_outside() {
+    constexpr int kRounds = 3;
+    std::size_t n_apart = 1;
+    for (int round = 0; round < kRounds && n_apart > 0; ++round) {
+      n_apart = 0;
+      for (std::size_t c = triangulation_.n_finite_cells(); c < hull(); ++c) {
+        if (is_related_to_hull(c)) continue;
+        ++n_apart;
+        if (n_apart <= kMostWays) relate_outside(c);
+      }
+    }
+    have_agreed_ = have_agreed_ && n_apart == 0;
+  }
+
+  void relate_outside(std::size_t c) {
+    for (unsigned way = 0; way < LabelWindow::kDirections; ++way) {
+      const auto end =
+          frame_.window()->way_out(CellId{static_cast<std::uint32_t>(c)}, way);
+      if (!end) continue;
+      const std::size_t other = end->cell ? index(*end->cell) : hull();
+      have_agreed_ = sets_.relate(c, other, end->parity) && have_agreed_;
+      if (is_related_to_hull(c)) return;
+    }
   }
 
   void relate_best_first(std::span<const LocatedTriangle> kept) {
@@ -129,8 +213,16 @@ class Relations {
 
   const LabelFrame& frame_;
   const Triangulation3& triangulation_;
+  static constexpr std::size_t kMostWays = 1000;  // in one round
+
+  static constexpr std::size_t kLevels = LabelFrame::kFar + 1;
+
+  std::span<const LocatedTriangle> kept_;
   ParitySets sets_;
+  std::array<std::vector<LocatedTriangle>, kLevels> walls_;  // kept
+  std::array<std::vector<Facet>, kLevels> closed_;           // and not kept
   std::vector<WeighedFacet> open_;
+  bool have_agreed_ = true;
 };
 
 }  // namespace
@@ -138,15 +230,19 @@ class Relations {
 void label_worst_first(const LabelFrame& frame,
                        std::span<const LocatedTriangle> kept,
                        Labelling& labels) {
-  Relations relations(frame);
-  relations.relate_across_kept(kept);
-  relations.relate_across_others();
-  relations.relate_across_open();
+  Relations relations(frame, kept);
+  relations.relate_all();
   const std::size_t n = frame.triangulation().n_finite_cells();
+  const bool is_window = frame.window() != nullptr;
+  if (is_window && !relations.have_agreed()) labels.leave_window();
+  if (is_window)
+    for (std::size_t c = n; c < frame.triangulation().cells().size(); ++c)
+      labels.put_beyond(CellId{static_cast<std::uint32_t>(c)},
+                        relations.is_inside(c));
   for (std::uint32_t c = 0; c < n; ++c)
     if (relations.is_inside(c) != labels.is_inside(CellId{c}))
       labels.flip(CellId{c});
-  if (labels.n_inside() > 0) return;
+  if (is_window || labels.n_inside() > 0) return;
   for (std::uint32_t c = 0; c < n; ++c) labels.flip(CellId{c});
 }
 

@@ -11,6 +11,7 @@
 
 #include "umbrella/badness_internal.h"
 #include "umbrella/cell_labels.h"
+#include "umbrella/label_window_internal.h"
 #include "umbrella/labelling_internal.h"
 
 namespace umbrella {
@@ -20,6 +21,15 @@ class LabelFrame {
   LabelFrame(const delaunay::Triangulation3& triangulation, CloseWeight weight,
              std::span<const LocatedTriangle> kept,
              std::span<const VertexId> open);
+  /// @param window  must outlive this object
+  LabelFrame(const LabelWindow& window, CloseWeight weight)
+      : LabelFrame(window.triangulation(), weight, window.kept(),
+                   window.open()) {
+    window_ = &window;
+  }
+
+  /// Null if there is none.
+  const LabelWindow* window() const { return window_; }
 
   const delaunay::Triangulation3& triangulation() const {
     return triangulation_;
@@ -41,24 +51,34 @@ class LabelFrame {
   bool is_open(VertexId v) const { return is_open_[index(v)] != 0; }
   /// All corners are open: the triangle is free, but for one that is kept.
   bool is_open(delaunay::Facet f) const;
+  /// Delaunay edges from the nearest corner to the nearest vertex that was open
+  /// at first, at most kFar.
+  unsigned level(delaunay::Facet f) const;
+  static constexpr std::uint8_t kFar = 2;
   /// All corners are open; false beyond the hull.
   bool is_open(delaunay::CellId c) const;
   void open(VertexId v) { is_open_[index(v)] = 1; }
 
  private:
+  void find_levels();
+
   const delaunay::Triangulation3& triangulation_;
   Badness badness_;
   std::vector<std::uint8_t> kept_;  // by cell; bit i: facet i
   std::vector<std::uint8_t> is_open_;
+  std::vector<std::uint8_t> level_;  // by vertex
+  const LabelWindow* window_ = nullptr;
 };
 
-/// Changes the labels to those with all kept triangles on the surface that do
-/// not contradict better ones, no closed triangle that is not kept, and of the
-/// open ones those that are best by worst-first order: the worst is off the
-/// surface where labels exist without it, then the next. Exact: the sets of
-/// facets between labels are a linear space over GF(2), in which this greedy
-/// choice is optimal. All cells within the hull are inside if nothing says what
-/// is.
+/// Changes the labels to those that are best by this order, each place in
+/// favour of what comes first: kept triangles far from open vertices are on the
+/// surface, the best first; closed ones there that are not kept are off it; the
+/// same for those nearer, level by level; at last the open ones are off it, the
+/// worst first. So what contradicts itself gives way near the open vertices.
+/// Exact: the sets of facets between labels are a linear space over GF(2), in
+/// which this greedy choice is optimal. All cells within the hull are inside if
+/// nothing says what is. Labels leave a window if what is far away contradicts
+/// itself.
 void label_worst_first(const LabelFrame& frame,
                        std::span<const LocatedTriangle> kept,
                        Labelling& labels);

@@ -46,7 +46,7 @@ std::size_t LabelMending::run() {
     faults_[index(v)] = static_cast<std::uint32_t>(parts_.n_faults());
     faulty_.push(v);
   }
-  while (!faulty_.empty() || !stuck_.empty()) {
+  while ((!faulty_.empty() || !stuck_.empty()) && !labels_.has_left_window()) {
     auto& queue = faulty_.empty() ? stuck_ : faulty_;
     const bool is_stuck = faulty_.empty();
     const VertexId v = queue.top();
@@ -61,7 +61,10 @@ std::size_t LabelMending::run() {
 }
 
 bool LabelMending::improve(VertexId v) {
-  if (effort_ > effort_limit_) return false;
+  if (effort_ > effort_limit_) {
+    if (frame_.window() != nullptr) labels_.leave_window();
+    return false;
+  }
   propose(v, Licence::Open);
   std::optional<std::size_t> chosen = best(false);
   if (!chosen && open_ring(v)) {
@@ -93,6 +96,7 @@ bool LabelMending::open_ring(VertexId v) {
       for (const VertexId w : labels_.cell(c).vertex) {
         if (w == delaunay::kInfinite || frame_.is_open(w)) continue;
         frame_.open(w);
+        if (labels_.is_at_border(w)) labels_.leave_window();
         has_opened = true;
       }
   return has_opened;

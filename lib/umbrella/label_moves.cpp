@@ -78,6 +78,7 @@ std::size_t LabelMoves::reach(std::span<const VertexId> vertices) {
 
 std::size_t LabelMoves::reach(VertexId v) {
   find_surroundings(v);
+  if (labels_.has_left_window()) return 0;
   const bool side = labels_.is_inside(near_.front());
   flipped_.clear();
   std::size_t n = 0;
@@ -102,6 +103,7 @@ void LabelMoves::find_surroundings(VertexId v) {
     if (labels_.cell(c).is_infinite() || met_[index(c)] == n_searches_) return;
     met_[index(c)] = n_searches_;
     near_.push_back(c);
+    if (labels_.is_at_border(c)) labels_.leave_window();
   };
   labels_.find_parts(v, parts_);
   for (const CellId c : parts_[0].cells) enter(c);
@@ -184,14 +186,18 @@ bool LabelMoves::dissolve(std::span<const LocatedTriangle> piece) {
 }
 
 /// The cells about `start` up to the surface; whether they are few, and the
-/// surface about them is a piece of n_walls triangles.
+/// surface about them is a piece of n_walls triangles. A piece that can be
+/// taken away has open corners only; with one at the border there are others as
+/// well.
 bool LabelMoves::find_enclosed(CellId start, std::size_t n_walls) {
   constexpr std::size_t kMaxCells = 64;
   enclosed_ = {start};
   std::size_t n_met = 0;
   for (std::size_t next = 0; next < enclosed_.size(); ++next) {
     const CellId c = enclosed_[next];
-    if (labels_.cell(c).is_infinite() || next >= kMaxCells) return false;
+    if (labels_.cell(c).is_infinite() || next >= kMaxCells ||
+        labels_.is_at_border(c))
+      return false;
     for (unsigned i = 0; i < 4; ++i) {
       const CellId beyond = labels_.cell(c).neighbor[i].cell();
       if (labels_.is_on_surface(Facet(c, i)))

@@ -34,6 +34,21 @@ Labelling::Labelling(const Triangulation3& triangulation)
       cell_of_vertex_[index(v)] = CellId{static_cast<std::uint32_t>(c)};
 }
 
+void Labelling::set_border(std::span<const VertexId> vertices) {
+  constexpr std::uint32_t kElsewhere = 1U << 30U;
+  is_border_.assign(n_triangles_.size(), 0);
+  for (const VertexId v : vertices) {
+    is_border_[index(v)] = 1;
+    n_triangles_[index(v)] += kElsewhere;
+  }
+}
+
+bool Labelling::is_at_border(CellId c) const {
+  const auto& corners = cell(c).vertex;
+  return std::any_of(corners.begin(), corners.end(),
+                     [this](VertexId v) { return is_at_border(v); });
+}
+
 unsigned Labelling::surface_facets(CellId c) const {
   unsigned facets = 0;
   for (unsigned i = 0; i < 4; ++i)
@@ -53,6 +68,7 @@ void Labelling::flip(CellId c) {
 }
 
 void Labelling::find_parts(VertexId v, StarParts& parts) {
+  if (is_at_border(v)) leave_window();
   ++n_walks_;
   parts.clear();
   pending_ = {cell_of_vertex_[index(v)]};
@@ -149,7 +165,8 @@ bool are_one_cycle(std::vector<LinkEdge>& edges) {
 }  // namespace
 
 /// The triangles of the surface are few, and tell most often: if their edges
-/// opposite the vertex are one cycle, it parts the star in two. So are none.
+/// opposite the vertex are one cycle, it parts the star in two. So are none. At
+/// the border of a window there are no faults.
 std::vector<VertexId> Labelling::faulty_vertices() {
   std::vector<Triangle> surface;
   for_each_on_surface(
@@ -161,6 +178,7 @@ std::vector<VertexId> Labelling::faulty_vertices() {
   StarParts parts;
   for (std::uint32_t i = 0; i < n_triangles_.size(); ++i) {
     const VertexId v{i};
+    if (is_at_border(v)) continue;
     edges.clear();
     for (const TriangleIndex t : incidence.at(v))
       edges.push_back(opposite_edge(surface[t], v));

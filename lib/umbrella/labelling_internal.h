@@ -46,7 +46,8 @@ class StarParts {
   std::size_t n_inside_ = 0;
 };
 
-/// The cells beyond the hull are always outside.
+/// The cells beyond the hull are always outside, those beyond a window as they
+/// are put.
 class Labelling {
  public:
   /// All cells are outside.
@@ -59,6 +60,21 @@ class Labelling {
   const delaunay::Cell& cell(delaunay::CellId c) const {
     return triangulation_.cell(c);
   }
+  /// Says that the triangulation is a window of a larger one, and these are the
+  /// vertices at whose cells it ends. They are on the surface elsewhere, too.
+  void set_border(std::span<const VertexId> vertices);
+  bool is_at_border(delaunay::CellId c) const;
+  /// Whether somebody has asked for more than the window shows.
+  bool has_left_window() const { return has_left_window_; }
+  void leave_window() { has_left_window_ = true; }
+  /// Labels a cell beyond the window.
+  void put_beyond(delaunay::CellId c, bool is_inside) {
+    is_inside_[index(c)] = is_inside ? 1 : 0;
+  }
+  bool is_at_border(VertexId v) const {
+    return !is_border_.empty() && is_border_[index(v)] != 0;
+  }
+
   bool is_inside(delaunay::CellId c) const { return is_inside_[index(c)] != 0; }
   std::size_t n_inside() const { return n_inside_; }
   bool is_on_surface(delaunay::Facet f) const {
@@ -94,6 +110,8 @@ class Labelling {
   std::vector<std::uint32_t> n_triangles_;  // by vertex
   std::vector<delaunay::CellId> cell_of_vertex_;
   std::size_t n_inside_ = 0;
+  std::vector<std::uint8_t> is_border_;  // by vertex; empty without a window
+  bool has_left_window_ = false;
 
   std::vector<std::uint32_t> seen_;  // last walk that met the cell
   std::uint32_t n_walks_ = 0;
