@@ -13,6 +13,7 @@
 #include <thread>
 #include <utility>
 
+#include "umbrella/bores_internal.h"
 #include "umbrella/cell_labels.h"
 #include "umbrella/local_repair_internal.h"
 #include "umbrella/new_handles_internal.h"
@@ -75,7 +76,8 @@ class Closing {
   void accept(const Attempt& solved);
   void give_up(const Task& task);
   bool label_cells();
-  void repair_locally(bool is_labelled);
+  bool repair_locally(bool is_labelled);
+  void open_bores(bool has_changed);
   void list_dropped(std::vector<VertexId> dropped);
 
   const ClosingOptions& options_;
@@ -111,7 +113,9 @@ ClosingResult Closing::run(std::span<const Hole> holes) {
   result_.triangles = surface_.sorted();
   std::sort(dropped_.begin(), dropped_.end());
   if (options_.mode == CloseMode::Best && options_.drop_points) {
-    repair_locally(label_cells());
+    const bool is_labelled = label_cells();
+    const bool is_repaired = repair_locally(is_labelled);
+    if (options_.open_bores) open_bores(is_labelled || is_repaired);
   }
   list_dropped(dropped_);
   return std::move(result_);
@@ -363,12 +367,13 @@ bool Closing::label_cells() {
   return true;
 }
 
-void Closing::repair_locally(bool is_labelled) {
+/// @return whether the surface may have changed
+bool Closing::repair_locally(bool is_labelled) {
   ClosingOptions options = options_;
   options.on_program = {};
   options.seconds = std::max(0.0, solver_.seconds_left());
   if (!is_labelled && !may_have_new_handle(surface_, options.handle_edges)) {
-    if (solver_.is_one_piece()) return;
+    if (solver_.is_one_piece()) return false;
     options.handle_edges = 0;
   }
   LocalRepair repaired =
@@ -377,6 +382,23 @@ void Closing::repair_locally(bool is_labelled) {
   result_.report.brought_in = repaired.brought_in;
   result_.report.handles_removed = repaired.handles_removed;
   dropped_ = std::move(repaired.left_out);
+  return true;
+}
+
+/// @param has_changed  whether the result is no longer the working surface
+void Closing::open_bores(bool has_changed) {
+  if (has_changed) {
+    std::vector<RankedTriangle> triangles;
+    for (const LocatedTriangle& t : result_.triangles)
+      triangles.push_back({t.corners, t.facet, {}});
+    surface_ = WorkingSurface(surface_.n_vertices(), triangles);
+  }
+  ClosingOptions options = options_;
+  options.on_program = {};
+  options.seconds = std::max(0.0, solver_.seconds_left());
+  result_.report.bores_opened =
+      umbrella::open_bores(triangulation_, options, surface_);
+  if (result_.report.bores_opened > 0) result_.triangles = surface_.sorted();
 }
 
 void Closing::list_dropped(std::vector<VertexId> dropped) {

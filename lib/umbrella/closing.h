@@ -66,6 +66,9 @@ struct ClosingOptions {
   /// if the closing may have made one: not in tubes, which have four such loops
   /// or more. 0 to keep all.
   unsigned handle_edges = 5;
+  /// Then flat lids are taken off two ends of a bore if else their rims would
+  /// hold points for no reason; see docs/decisions/bores.md.
+  bool open_bores = true;
   /// Regions are solved on so many threads, with the same result for any
   /// number; what has no solution as it is grows on one.
   unsigned threads = 1;
@@ -98,6 +101,7 @@ struct ClosingReport {
   std::size_t pieces_joined = 0;  ///< to others, once all was closed
   std::size_t brought_in = 0;     ///< points that had been left out
   std::size_t handles_removed = 0;
+  std::size_t bores_opened = 0;
   std::uint64_t conflicts = 0;
   bool timed_out = false;  ///< the wall clock cut a search short
 };

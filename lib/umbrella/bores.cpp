@@ -1,0 +1,176 @@
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "umbrella/bores_internal.h"
+#include "umbrella/flat_lids_internal.h"
+#include "umbrella/region_solver_internal.h"
+#include "umbrella/surface.h"
+
+namespace umbrella {
+namespace {
+
+constexpr std::size_t kTrianglesOfHandle = 4;
+
+/// Turns the normals of the lids outward.
+void turn_outward(const delaunay::Triangulation3& triangulation,
+                  const WorkingSurface& surface, std::vector<FlatLid>& lids) {
+  std::vector<LocatedTriangle> triangles;
+  std::vector<std::size_t> place(surface.n_indices());
+  for (TriangleIndex t = 0; t < surface.n_indices(); ++t) {
+    place[t] = triangles.size();
+    if (surface.contains(t)) triangles.push_back(surface.triangle(t));
+  }
+  const OrientedSurface oriented = orient(triangulation.points(), triangles);
+  for (FlatLid& lid : lids) {
+    const auto& [a, b, c] = oriented.triangles[place[lid.triangles[0]]];
+    const auto points = triangulation.points();
+    const Point3 outward = (points[b] - points[a]).cross(points[c] - points[a]);
+    if (outward.dot(lid.normal) < 0) lid.normal = -lid.normal;
+  }
+}
+
+/// How far the body goes on behind a until b, if they are two ends of a
+/// cylinder.
+std::optional<double> depth(const FlatLid& a, const FlatLid& b) {
+  constexpr double kSlack = FlatLid::kTolerance;
+  const Point3 axis = b.center - a.center;
+  const double along = -axis.dot(a.normal);
+  const bool is_behind = along > 0 && a.normal.dot(b.normal) < 0;
+  if (is_behind && a.normal.cross(b.normal).norm() <= kSlack &&
+      axis.cross(a.normal).norm() <= kSlack * (a.radius + along) &&
+      std::abs(a.radius - b.radius) <= kSlack * a.radius)
+    return along;
+  return {};
+}
+
+/// Whether a lid is no wider than what lies between the points of its face.
+bool is_narrow(const FlatLid& lid) {
+  constexpr double kLeastRadius = 1.5;
+  return lid.radius < kLeastRadius * lid.spacing;
+}
+
+/// Whether a bore would give most corners of both rims a reason to be there.
+bool explains_rims(const FlatLid& a, const FlatLid& b) {
+  return 2 * (a.n_flat + b.n_flat) > a.rim.size() + b.rim.size();
+}
+
+using LidPair = std::pair<const FlatLid*, const FlatLid*>;
+
+/// Each lid with the nearest one behind it.
+std::vector<LidPair> ends_of_bores(std::span<const FlatLid> lids) {
+  std::vector<LidPair> result;
+  for (std::size_t i = 0; i < lids.size(); ++i) {
+    std::optional<double> least;
+    std::size_t nearest = i;
+    for (std::size_t k = 0; k < lids.size(); ++k) {
+      const auto along = depth(lids[i], lids[k]);
+      if (!along || (least && *least <= *along)) continue;
+      least = along;
+      nearest = k;
+    }
+    if (nearest > i && explains_rims(lids[i], lids[nearest]))
+      result.emplace_back(&lids[i], &lids[nearest]);
+  }
+  return result;
+}
+
+class Opening {
+ public:
+  Opening(const delaunay::Triangulation3& triangulation,
+          const ClosingOptions& options, WorkingSurface& surface)
+      : options_(options),
+        surface_(surface),
+        is_open_(triangulation.points().size()),
+        groups_(triangulation, {}),
+        solver_(triangulation, options, surface, is_open_, groups_) {}
+
+  bool open(const LidPair& ends);
+
+ private:
+  bool has_all(const FlatLid& lid) const;
+  bool attempt(const Region& region,
+               std::span<const LocatedTriangle> lid_triangles);
+
+  const ClosingOptions& options_;
+  WorkingSurface& surface_;
+  std::vector<bool> is_open_;  // none
+  PointGroups groups_;
+  RegionSolver solver_;
+};
+
+bool Opening::has_all(const FlatLid& lid) const {
+  return std::all_of(lid.triangles.begin(), lid.triangles.end(),
+                     [this](TriangleIndex t) { return surface_.contains(t); });
+}
+
+/// Tries the rims by themselves, then with one ring of Delaunay edges about
+/// them, then with two.
+bool Opening::open(const LidPair& ends) {
+  constexpr int kRings = 2;
+  const auto& [a, b] = ends;
+  if (!has_all(*a) || !has_all(*b)) return false;
+  std::vector<LocatedTriangle> lid_triangles;
+  for (const FlatLid* lid : {a, b})
+    for (const TriangleIndex t : lid->triangles) {
+      lid_triangles.push_back(surface_.triangle(t));
+      surface_.remove(t);
+    }
+  Region region;
+  region.vertices = united(a->rim, b->rim);
+  for (int ring = 0; ring <= kRings; ++ring) {
+    if (solver_.is_stopped()) break;
+    if (ring > 0)
+      region.vertices = solver_.neighborhoods().ring(region.vertices);
+    if (attempt(region, lid_triangles)) return true;
+  }
+  for (const LocatedTriangle& t : lid_triangles) surface_.add(t);
+  return false;
+}
+
+/// Takes the surface that solves the program without the lids, if it has one
+/// handle more than the one with them.
+bool Opening::attempt(const Region& region,
+                      std::span<const LocatedTriangle> lid_triangles) {
+  std::vector<LocatedTriangle> candidates = solver_.candidates(region);
+  std::erase_if(candidates, [&](const LocatedTriangle& t) {
+    return std::any_of(
+        lid_triangles.begin(), lid_triangles.end(),
+        [&](const LocatedTriangle& l) { return l.corners == t.corners; });
+  });
+  Effort effort = {options_.conflicts / 30, options_.propagations};
+  const Attempt solved =
+      solver_.attempt({region, std::move(candidates)}, effort, {});
+  if (solved.outcome != Outcome::Solved ||
+      solved.chosen.size() !=
+          solved.freed.size() + lid_triangles.size() + kTrianglesOfHandle ||
+      solver_.n_pieces_added(solved) != 0)
+    return false;
+  for (const TriangleIndex t : solved.freed) surface_.remove(t);
+  for (const LocatedTriangle& t : solved.chosen) surface_.add(t);
+  return true;
+}
+
+}  // namespace
+
+std::size_t open_bores(const delaunay::Triangulation3& triangulation,
+                       const ClosingOptions& options, WorkingSurface& surface) {
+  std::vector<FlatLid> lids = find_flat_lids(triangulation, surface);
+  std::erase_if(lids, [](const FlatLid& lid) {
+    return lid.n_flat == 0 || is_narrow(lid);
+  });
+  if (lids.size() < 2) return 0;
+  turn_outward(triangulation, surface, lids);
+  Opening opening(triangulation, options, surface);
+  std::size_t n_opened = 0;
+  for (const LidPair& ends : ends_of_bores(lids))
+    n_opened += opening.open(ends) ? 1 : 0;
+  return n_opened;
+}
+
+}  // namespace umbrella

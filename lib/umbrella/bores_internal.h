@@ -1,0 +1,27 @@
+/// @file
+/// Bores that a closed surface has lids on.
+#pragma once
+
+#include <cstddef>
+
+#include "delaunay/triangulation3.h"
+#include "umbrella/closing.h"
+#include "umbrella/working_surface_internal.h"
+
+namespace umbrella {
+
+/// Takes off two flat lids that face each other through the body, if for most
+/// corners of their rims there is no other reason than a bore, and puts a wall
+/// between them, if a program about them has such a solution: a handle more,
+/// with all else as it is.
+///
+/// A mesh that a designer has made holds no corner within a flat face. One that
+/// a scan has made holds many, but not on a circle about nothing.
+///
+/// @param options  each program may take what one region may
+/// @param surface  closed and manifold; changed where a bore was opened
+/// @return how many
+std::size_t open_bores(const delaunay::Triangulation3& triangulation,
+                       const ClosingOptions& options, WorkingSurface& surface);
+
+}  // namespace umbrella
