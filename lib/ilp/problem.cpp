@@ -124,6 +124,7 @@ ConstraintId Problem::add_ring(std::span<const Spoke> spokes, bool optional) {
 ConstraintId Problem::add_ring_of_pairs(std::span<const Spoke> spokes,
                                         bool optional) {
   check_spokes(spokes, n_pairs());
+  check_pairs_of(spokes);
   return append_ring(spokes, optional, true);
 }
 
@@ -144,6 +145,29 @@ void Problem::check_spokes(std::span<const Spoke> spokes, std::size_t n_nodes) {
                                   std::to_string(s.b) + " of ring " +
                                   std::to_string(n_rings()));
   }
+}
+
+// As many spokes as variables, all of them among these, are these. Where the
+// spokes come in the order of the variables, no search is needed.
+void Problem::check_pairs_of(std::span<const Spoke> spokes) {
+  n_met_.resize(n_pairs(), 0);
+  const auto has = [this](std::uint32_t p, VarId v) {
+    const std::span<const VarId> vars = pair(p);
+    const std::uint32_t i = n_met_[p]++;
+    return (i < vars.size() && vars[i] == v) ||
+           std::ranges::find(vars, v) != vars.end();
+  };
+  bool is_right = true;
+  for (const Spoke& s : spokes)
+    for (const std::uint32_t p : {s.a, s.b}) is_right &= has(p, s.var);
+  for (const Spoke& s : spokes)
+    for (const std::uint32_t p : {s.a, s.b}) {
+      is_right &= n_met_[p] == pair(p).size() || n_met_[p] == 0;
+      n_met_[p] = 0;  // seen
+    }
+  if (!is_right)
+    throw std::invalid_argument("ilp: ring " + std::to_string(n_rings()) +
+                                " has other spokes than its pairs");
 }
 
 ConstraintId Problem::add_sides(std::span<const Wall> walls) {
