@@ -147,25 +147,26 @@ void Problem::check_spokes(std::span<const Spoke> spokes, std::size_t n_nodes) {
   }
 }
 
-// As many spokes as variables, all of them among these, are these. Where the
-// spokes come in the order of the variables, no search is needed.
+// Spokes that are all among the variables, and as many, are the variables: for
+// all pairs together it is enough to count. Where the spokes come in the order
+// of the variables, no search is needed.
 void Problem::check_pairs_of(std::span<const Spoke> spokes) {
   n_met_.resize(n_pairs(), 0);
-  const auto has = [this](std::uint32_t p, VarId v) {
+  std::size_t n_left = 2 * spokes.size();
+  bool is_right = true;
+  const auto meet = [&](std::uint32_t p, VarId v) {
     const std::span<const VarId> vars = pair(p);
     const std::uint32_t i = n_met_[p]++;
-    return (i < vars.size() && vars[i] == v) ||
-           std::ranges::find(vars, v) != vars.end();
+    if (i == 0) n_left -= vars.size();
+    is_right &= (i < vars.size() && vars[i] == v) ||
+                std::ranges::find(vars, v) != vars.end();
   };
-  bool is_right = true;
-  for (const Spoke& s : spokes)
-    for (const std::uint32_t p : {s.a, s.b}) is_right &= has(p, s.var);
-  for (const Spoke& s : spokes)
-    for (const std::uint32_t p : {s.a, s.b}) {
-      is_right &= n_met_[p] == pair(p).size() || n_met_[p] == 0;
-      n_met_[p] = 0;  // seen
-    }
-  if (!is_right)
+  for (const auto& [v, a, b] : spokes) {
+    meet(a, v);
+    meet(b, v);
+  }
+  for (const Spoke& s : spokes) n_met_[s.a] = n_met_[s.b] = 0;
+  if (!is_right || n_left != 0)
     throw std::invalid_argument("ilp: ring " + std::to_string(n_rings()) +
                                 " has other spokes than its pairs");
 }
