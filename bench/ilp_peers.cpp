@@ -1,8 +1,9 @@
 // Holes in reconstructed surfaces: our solver, depth first without learning,
 // CaDiCaL and CBC. Prints a table of median milliseconds of processor
 // time, set-up included.
-// Call: ilp_peers [holes in a row [seconds for a hole]]. A method whose median
-// passes the limit is not asked for larger holes.
+// Call: ilp_peers [holes in a row [seconds for a hole [vertices]]]; without the
+// last, holes of 30 to 1000 vertices. A method whose median passes the limit is
+// not asked for larger holes.
 //
 // Ours decides worst triangles first, false first: that order is knowledge of
 // the problem which the peers do not have. They get the cuts in the strong
@@ -98,18 +99,25 @@ struct Row {
   HoleMaker::Shape shape;
 };
 
-void print_rows(const Row& row, std::size_t n_holes, double seconds) {
+struct Series {
+  std::vector<std::size_t> vertices;
+  std::size_t n_holes;
+  double seconds;
+};
+
+void print_rows(const Row& row, const Series& series) {
   const HoleMaker maker(row.shape);
   std::vector<Method> methods = {any, least, by_depth, by_clauses,
                                  by_inequalities};
-  for (const std::size_t n : {30, 100, 300, 1000}) {
+  for (const std::size_t n : series.vertices) {
     std::vector<HoleProgram> holes;
-    for (std::size_t seed = 1; seed <= n_holes; ++seed)
+    for (std::size_t seed = 1; seed <= series.n_holes; ++seed)
       holes.push_back(maker.hole(n, seed));
     std::printf("| %s | %zu | %zu |", row.name, n,
                 holes.front().worst_first.size());
     for (Method& method : methods) {
-      const std::string text = method ? median(holes, method, seconds) : "-";
+      const std::string text =
+          method ? median(holes, method, series.seconds) : "-";
       std::printf(" %s |", text.c_str());
       std::fflush(stdout);
       if (text.starts_with(">")) method = nullptr;
@@ -121,8 +129,11 @@ void print_rows(const Row& row, std::size_t n_holes, double seconds) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::size_t n_holes = argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 5;
-  const double seconds = argc > 2 ? std::strtod(argv[2], nullptr) : 10;
+  Series series = {
+      .vertices = {30, 100, 300, 1000}, .n_holes = 5, .seconds = 10};
+  if (argc > 1) series.n_holes = std::strtoul(argv[1], nullptr, 10);
+  if (argc > 2) series.seconds = std::strtod(argv[2], nullptr);
+  if (argc > 3) series.vertices = {std::strtoul(argv[3], nullptr, 10)};
   const std::vector<Row> rows = {
       {"sphere", {.name = "sphere", .n_points = 4000}},
       {"torus", {.name = "torus", .n_points = 4000}},
@@ -134,5 +145,5 @@ int main(int argc, char** argv) {
   std::printf(
       "| surface | vertices | free triangles | ours, any | ours, least | depth "
       "first | CaDiCaL, any | CBC, any |\n|---|---|---|---|---|---|---|---|\n");
-  for (const Row& row : rows) print_rows(row, n_holes, seconds);
+  for (const Row& row : rows) print_rows(row, series);
 }

@@ -113,6 +113,31 @@ TEST(Problem, RefusesWhatMakesNoSense) {
             0U);
 }
 
+// Pairs of x y, of y z and of x z, and of all three.
+TEST(Problem, RefusesRingsWhosePairsHaveOtherVariables) {
+  Problem problem = with_variables(4);
+  problem.add_pair(std::array{kX, kY});
+  problem.add_pair(std::array{kZ, kY});
+  problem.add_pair(std::array{kX, kZ});
+  problem.add_pair(std::array{kX, kY, kZ});
+  const std::array<Spoke, 3> right = {Spoke{kY, 0, 1}, {kX, 2, 0}, {kZ, 1, 2}};
+  for (std::size_t i = 0; i < 3; ++i)
+    for (const std::uint32_t wrong : {0U, 1U, 2U, 3U}) {
+      std::array<Spoke, 3> spokes = right;
+      if (wrong == right[i].a || wrong == right[i].b) continue;
+      spokes[i].b = wrong;
+      EXPECT_THROW(problem.add_ring_of_pairs(spokes), std::invalid_argument);
+    }
+  std::array<Spoke, 3> spokes = right;
+  spokes[0].var = kU;
+  EXPECT_THROW(problem.add_ring_of_pairs(spokes), std::invalid_argument);
+  EXPECT_THROW(problem.add_ring_of_pairs(std::span(right).first(2)),
+               std::invalid_argument);
+  EXPECT_EQ(problem.n_rings(), 0U);
+  EXPECT_EQ(problem.add_ring_of_pairs(right).index, 0U);
+  EXPECT_TRUE(problem.is_of_pairs(0));
+}
+
 TEST(Problem, RefusesLinearConstraintsThatMightOverflow) {
   constexpr std::int64_t kMin = std::numeric_limits<std::int64_t>::min();
   Problem problem = with_variables(2);

@@ -13,16 +13,8 @@ namespace ilp {
 
 /// What forced a literal.
 struct Reason {
-  enum class Kind : std::uint32_t {
-    None,  ///< a decision, or fixed by the problem
-    Pair,
-    Ring,        ///< a cycle is closed
-    RingIsUsed,  ///< all other spokes are false
-    Sides,
-    Clause,
-    Linear
-  };
-  Kind kind = Kind::None;
+  enum class Kind : std::uint32_t { None, Pair, Ring, Sides, Clause, Linear };
+  Kind kind = Kind::None;   ///< None: a decision, or fixed by the problem
   std::uint32_t index = 0;  ///< of the pair, ring, wall, clause or row
   VarId on_cycle{};         ///< Ring: a spoke of the cycle that closed
 };
@@ -40,7 +32,7 @@ class Assignment {
     trail_.reserve(n_variables);
   }
 
-  std::size_t n_variables() const { return states_.size(); }
+  std::size_t n_variables() const { return values_.size() / 2; }
   bool holds(Literal l) const { return values_[l.code()] == kHolds; }
   bool is_open(VarId v) const { return values_[2 * index(v)] == kOpen; }
   bool is_true(VarId v) const { return values_[2 * index(v)] == kHolds; }

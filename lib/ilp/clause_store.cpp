@@ -15,6 +15,13 @@ bool normalize(std::vector<Literal>& clause) {
          }) == clause.end();
 }
 
+// A watch that moves takes two places at its new literal.
+void ClauseStore::reserve(std::size_t n_clauses, std::size_t n_literals) {
+  clauses_.reserve(n_clauses);
+  literals_.reserve(n_literals);
+  watches_.reserve(8 * n_clauses);
+}
+
 ClauseRef ClauseStore::add(std::span<const Literal> literals, Antecedent origin,
                            std::uint32_t glue) {
   constexpr std::size_t kMax = std::numeric_limits<std::uint32_t>::max();
@@ -26,7 +33,6 @@ ClauseRef ClauseStore::add(std::span<const Literal> literals, Antecedent origin,
                       glue});
   literals_.insert(literals_.end(), literals.begin(), literals.end());
   if (literals.size() >= 2) {
-    lists_.resize(2 * n_variables_);
     watch(literals[0], {ref, literals[1]});
     watch(literals[1], {ref, literals[0]});
   }

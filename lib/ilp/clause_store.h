@@ -27,7 +27,9 @@ struct Watch {
 
 class ClauseStore {
  public:
-  explicit ClauseStore(std::size_t n_variables) : n_variables_(n_variables) {}
+  explicit ClauseStore(std::size_t n_variables) : lists_(2 * n_variables) {}
+
+  void reserve(std::size_t n_clauses, std::size_t n_literals);
 
   /// Watches the first two literals, if there are two.
   /// @param glue  the smaller, the more the clause is worth; 0: kept for ever
@@ -44,8 +46,6 @@ class ClauseStore {
   Antecedent origin(ClauseRef c) const { return row(c).origin; }
   std::uint32_t glue(ClauseRef c) const { return row(c).glue; }
 
-  /// Whether any clause is watched.
-  bool has_watches() const { return !lists_.empty(); }
   /// Clauses to visit when `literal` turns false; good until the next watch().
   std::span<Watch> watches(Literal literal) {
     const List& list = lists_[literal.code()];
@@ -90,8 +90,7 @@ class ClauseStore {
 
   std::vector<Clause> clauses_;
   std::vector<Literal> literals_;
-  std::size_t n_variables_;
-  std::vector<List> lists_;  // by literal, once there are clauses
+  std::vector<List> lists_;  // by literal
   std::vector<Watch> watches_;
 };
 

@@ -17,6 +17,11 @@ class Clauses {
  public:
   explicit Clauses(std::size_t n_variables) : store_(n_variables) {}
 
+  /// Makes room for so many clauses.
+  void reserve(std::size_t n_clauses, std::size_t n_literals) {
+    store_.reserve(n_clauses, n_literals);
+  }
+
   /// Adds a clause that the levels above 0 do not make false, and assigns the
   /// literal that it forces, if any, at the current level: backtrack first to
   /// where that belongs. May reorder the literals.
@@ -28,7 +33,7 @@ class Clauses {
   /// Assigns what follows from a literal that holds.
   /// @return false on a conflict
   bool propagate(Literal l, Assignment& assignment, Conflict& conflict) {
-    return !store_.has_watches() || visit_all(!l, assignment, conflict);
+    return store_.watches(!l).empty() || visit_all(!l, assignment, conflict);
   }
 
   /// Appends the literals that imply l by its reason, a clause.

@@ -26,10 +26,11 @@ PairsAndRings::PairsAndRings(const Problem& problem)
           [](std::uint32_t r, const Spoke& s) {
             return Membership{r, s.a, s.b};
           })),
-      watches_(problem),
       is_on_cycle_(problem.n_variables(), 0) {
   for (std::size_t p = 0; p < pairs_.size(); ++p) {
-    for (const VarId v : links_.pairs[p]) pairs_[p].open.add(v);
+    VarSum open;
+    for (const VarId v : links_.pairs[p]) open.add(v);
+    pairs_[p].open = open;
   }
 }
 
@@ -37,7 +38,7 @@ bool PairsAndRings::start(Assignment& assignment, Conflict& conflict) {
   for (std::uint32_t p = 0; p < pairs_.size(); ++p)
     if (pairs_[p].open.size() == 1 && !force_last(p, assignment, conflict))
       return false;
-  return watches_.start(links_.rings, assignment, conflict);
+  return true;
 }
 
 bool PairsAndRings::propagate(Literal l, Assignment& assignment,
@@ -53,23 +54,14 @@ bool PairsAndRings::propagate(Literal l, Assignment& assignment,
         return false;
       }
     }
-  if (!l.value()) return use_rings(l.var(), assignment, conflict);
+  if (!l.value()) return true;
   for (const Membership& m : rings_of_[index(l.var())]) {
+    if (!has_mates(m)) continue;
     const std::size_t length = cycle_length(l.var(), m);
     if (length > 0 && !clear_ring({Reason::Kind::Ring, m.ring, l.var()}, length,
                                   assignment, conflict))
       return false;
   }
-  return true;
-}
-
-bool PairsAndRings::use_rings(VarId failing, Assignment& assignment,
-                              Conflict& conflict) {
-  for (const Membership& m : rings_of_[index(failing)])
-    if (watches_.watches(m.ring, failing) &&
-        !watches_.replace({m.ring, links_.rings[m.ring]}, failing, assignment,
-                          conflict))
-      return false;
   return true;
 }
 
@@ -146,8 +138,6 @@ VarId PairsAndRings::next_on_ring(std::uint32_t ring, VarId var,
 }
 
 std::size_t PairsAndRings::cycle_length(VarId var, const Membership& m) const {
-  if (pairs_[m.pair_a].trues.size() != 2 || pairs_[m.pair_b].trues.size() != 2)
-    return 0;
   std::size_t length = 0;
   std::uint32_t pair = m.pair_b;
   VarId v = var;
@@ -204,8 +194,6 @@ void PairsAndRings::explain(Literal l, const Assignment& assignment,
   const Reason& reason = assignment.reason(l.var());
   if (reason.kind == Reason::Kind::Ring) {
     append_cycle(reason, out);
-  } else if (reason.kind == Reason::Kind::RingIsUsed) {
-    RingWatches::explain(l, links_.rings[reason.index], out);
   } else {
     explain_pair(l, assignment, out);
   }
@@ -230,9 +218,9 @@ void PairsAndRings::explain_pair(Literal l, const Assignment& assignment,
 }
 
 Antecedent PairsAndRings::origin(const Reason& reason) const {
-  return reason.kind == Reason::Kind::Pair
-             ? Antecedent(links_.origin(reason.index))
-             : Antecedent({ConstraintKind::Ring, reason.index});
+  return reason.kind == Reason::Kind::Ring
+             ? Antecedent({ConstraintKind::Ring, reason.index})
+             : Antecedent(links_.origin(reason.index));
 }
 
 }  // namespace ilp

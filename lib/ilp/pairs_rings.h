@@ -8,16 +8,15 @@
 #include "ilp/antecedents.h"
 #include "ilp/assignment.h"
 #include "ilp/links.h"
-#include "ilp/ring_watches.h"
 
 namespace ilp {
 
+/// All rules but one: that a ring has a true spoke at all is left to a clause.
 class PairsAndRings {
  public:
   explicit PairsAndRings(const Problem& problem);
 
-  /// Assigns what pairs and rings of one variable force. @return false on a
-  /// conflict
+  /// Assigns what pairs of one variable force. @return false on a conflict
   bool start(Assignment& assignment, Conflict& conflict);
 
   /// Counts a literal that holds, once, and assigns what follows.
@@ -67,7 +66,6 @@ class PairsAndRings {
     std::uint32_t pair_b;
   };
 
-  bool use_rings(VarId failing, Assignment& assignment, Conflict& conflict);
   bool count(Literal l);
   bool force_last(std::uint32_t p, Assignment& assignment,
                   Conflict& conflict) const;
@@ -75,7 +73,12 @@ class PairsAndRings {
                   Conflict& conflict) const;
   bool fail_pair(std::uint32_t p, const Assignment& assignment,
                  Conflict& conflict) const;
+  bool has_mates(const Membership& m) const {
+    return pairs_[m.pair_a].trues.size() == 2 &&
+           pairs_[m.pair_b].trues.size() == 2;
+  }
   /// Of the true spokes that close a cycle through `var`; 0: there is none.
+  /// @pre it has mates on both sides
   std::size_t cycle_length(VarId var, const Membership& m) const;
   bool clear_ring(const Reason& reason, std::size_t length,
                   Assignment& assignment, Conflict& conflict);
@@ -90,7 +93,6 @@ class PairsAndRings {
   Links links_;
   std::vector<PairCount> pairs_;
   Rows<Membership> rings_of_;
-  RingWatches watches_;
   std::vector<std::uint8_t> is_on_cycle_;  // scratch, by variable; 0 at rest
 };
 

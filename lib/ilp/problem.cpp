@@ -124,6 +124,7 @@ ConstraintId Problem::add_ring(std::span<const Spoke> spokes, bool optional) {
 ConstraintId Problem::add_ring_of_pairs(std::span<const Spoke> spokes,
                                         bool optional) {
   check_spokes(spokes, n_pairs());
+  check_pairs_of(spokes);
   return append_ring(spokes, optional, true);
 }
 
@@ -144,6 +145,30 @@ void Problem::check_spokes(std::span<const Spoke> spokes, std::size_t n_nodes) {
                                   std::to_string(s.b) + " of ring " +
                                   std::to_string(n_rings()));
   }
+}
+
+// Spokes that are all among the variables, and as many, are the variables: for
+// all pairs together it is enough to count. Where the spokes come in the order
+// of the variables, no search is needed.
+void Problem::check_pairs_of(std::span<const Spoke> spokes) {
+  n_met_.resize(n_pairs(), 0);
+  std::size_t n_left = 2 * spokes.size();
+  bool is_right = true;
+  const auto meet = [&](std::uint32_t p, VarId v) {
+    const std::span<const VarId> vars = pair(p);
+    const std::uint32_t i = n_met_[p]++;
+    if (i == 0) n_left -= vars.size();
+    is_right &= (i < vars.size() && vars[i] == v) ||
+                std::ranges::find(vars, v) != vars.end();
+  };
+  for (const auto& [v, a, b] : spokes) {
+    meet(a, v);
+    meet(b, v);
+  }
+  for (const Spoke& s : spokes) n_met_[s.a] = n_met_[s.b] = 0;
+  if (!is_right || n_left != 0)
+    throw std::invalid_argument("ilp: ring " + std::to_string(n_rings()) +
+                                " has other spokes than its pairs");
 }
 
 ConstraintId Problem::add_sides(std::span<const Wall> walls) {

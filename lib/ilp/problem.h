@@ -48,8 +48,7 @@ class Problem {
   /// The same with pairs of the problem as nodes: a and b are their numbers. A
   /// solver need not find out then which pair is where.
   /// @throws std::invalid_argument  unknown or repeated variable, unknown pair,
-  ///   or a == b
-  /// @pre each pair holds the spokes at it and no others
+  ///   a == b, or a pair whose variables are not the spokes at it
   ConstraintId add_ring_of_pairs(std::span<const Spoke> spokes,
                                  bool optional = false);
 
@@ -94,6 +93,7 @@ class Problem {
 
  private:
   void check_spokes(std::span<const Spoke> spokes, std::size_t n_nodes);
+  void check_pairs_of(std::span<const Spoke> spokes);
   ConstraintId append_ring(std::span<const Spoke> spokes, bool optional,
                            bool of_pairs);
   void check_known(VarId var) const;
@@ -110,6 +110,7 @@ class Problem {
   std::vector<Literal> fixed_;
   std::vector<std::uint32_t> mark_;  // last check that met the variable
   std::uint32_t n_checks_ = 0;
+  std::vector<std::uint32_t> n_met_;  // spokes, by pair; scratch, 0 at rest
 };
 
 /// The first constraint that the model breaks, in words; empty if none.

@@ -5,6 +5,8 @@
 
 #include "ilp/propagate.h"
 
+#include <algorithm>
+
 namespace ilp {
 
 Propagator::Propagator(const Problem& problem)
@@ -32,7 +34,17 @@ bool Propagator::fix(const Problem& problem) {
 }
 
 void Propagator::add_initial_clauses(const Problem& problem) {
+  clauses_.reserve(problem.n_rings() + problem.n_clauses(),
+                   problem.rings().n_items());
   std::vector<Literal> clause;
+  for (std::uint32_t r = 0; r < problem.n_rings(); ++r) {
+    if (problem.is_optional(r)) continue;
+    const std::span<const Spoke> spokes = problem.ring(r);
+    clause.resize(spokes.size());
+    std::ranges::transform(spokes, clause.begin(),
+                           [](const Spoke& s) { return Literal(s.var, true); });
+    add_clause(clause, Antecedent({ConstraintKind::Ring, r}), 0);
+  }
   for (std::uint32_t c = 0; c < problem.n_clauses(); ++c) {
     clause.assign(problem.clause(c).begin(), problem.clause(c).end());
     if (normalize(clause))
@@ -77,7 +89,6 @@ void Propagator::explain(Literal l, std::vector<Literal>& out) const {
       return;
     case Reason::Kind::Pair:
     case Reason::Kind::Ring:
-    case Reason::Kind::RingIsUsed:
       return pairs_and_rings_.explain(l, assignment_, out);
     case Reason::Kind::Sides:
       return sides_.explain(l, assignment_, out);
@@ -94,7 +105,6 @@ Antecedent Propagator::origin(const Reason& reason) const {
       break;
     case Reason::Kind::Pair:
     case Reason::Kind::Ring:
-    case Reason::Kind::RingIsUsed:
       return pairs_and_rings_.origin(reason);
     case Reason::Kind::Sides:
       return sides_.origin(reason);

@@ -363,7 +363,7 @@ class Solver::Search {
     }
     const auto [next, is_in_order] =
         order_.next([this](VarId v) { return values().is_open(v); });
-    if (index(next) == model_.size()) return Step::Complete;
+    if (index(next) == values().n_variables()) return Step::Complete;
     const Literal decision = preference(next);
     open_level(decision, is_in_order);
     propagator_.decide(decision);

@@ -50,6 +50,9 @@ class ClausePeer {
     n_variables_ = static_cast<int>(form_.n_variables);
     solver_.set("quiet", 1);
     solver_.set("phase", 0);  // false first, as in our own search
+    // Tries of all-false and the like never close a hole. Without them medians
+    // at 100 vertices fall by up to three quarters.
+    solver_.set("lucky", 0);
     solver_.connect_terminator(&clock_);
     std::vector<LinearRow> both;
     for (const LinearRow& row : form_.rows) {
