@@ -43,6 +43,8 @@ CellLabelResult close_canonical(const delaunay::Triangulation3& triangulation,
     result.report.improvements += n_exchanged;
     goes_on = n_exchanged > 0 && !unused_vertices(labels).empty();
   }
+  if (is_stopped())
+    result.report.brought_in += moves.bring_in(unused_vertices(labels));
   result.triangles = labels.surface();
   result.left_out = unused_vertices(labels);
   for (const LocatedTriangle& t : kept)

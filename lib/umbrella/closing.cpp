@@ -87,6 +87,7 @@ class Closing {
   std::vector<Task> tasks_;  // regions that have no solution as given
   std::vector<VertexId> dropped_;
   std::vector<bool> is_undecided_;  // vertices of regions given up at a limit
+  bool is_cut_short_ = false;  // by the clock or the caller, before the repair
   ClosingResult result_;
 };
 
@@ -229,7 +230,7 @@ bool Closing::grow(Task& task) {
 
 /// Tries a region that holds task.region, and keeps what can be learned.
 bool Closing::attempt(Task& task, Region& region, bool accept_drops) {
-  if (task.effort.is_spent() || solver_.is_stopped()) {
+  if (task.effort.is_spent() || solver_.is_over()) {
     task.last.outcome = Outcome::Undecided;
     task.has_hit_limit = true;
     return false;
@@ -346,21 +347,26 @@ void Closing::accept(const Attempt& solved) {
 /// Closes what is still open, and brings in points that were left out.
 /// @return whether there was anything to do
 bool Closing::label_cells() {
+  static constexpr std::atomic<bool> kStop = true;
   const ClosingReport& report = result_.report;
   result_.report.labelled = report.infeasible + report.undecided;
   if (report.labelled == 0 && dropped_.empty()) return false;
   std::vector<VertexId> open;
   for (std::size_t v = 0; v < is_open_.size(); ++v)
     if (is_open_[v]) open.push_back(VertexId{static_cast<std::uint32_t>(v)});
-  CellLabelResult labelled = close_by_cell_labels(
-      triangulation_, result_.triangles, open,
-      {options_.weight, options_.piece_triangles, options_.stop});
+  CellLabelResult labelled =
+      close_by_cell_labels(triangulation_, result_.triangles, open,
+                           {options_.weight, options_.piece_triangles,
+                            solver_.is_over() ? &kStop : options_.stop});
   result_.triangles = std::move(labelled.triangles);
   dropped_ = std::move(labelled.left_out);
   return true;
 }
 
 void Closing::repair_locally(bool is_labelled) {
+  is_cut_short_ = solver_.is_over();
+  result_.report.timed_out |= solver_.seconds_left() <= 0;
+  if (is_cut_short_) return;
   ClosingOptions options = options_;
   options.on_program = {};
   options.seconds = std::max(0.0, solver_.seconds_left());
@@ -378,8 +384,9 @@ void Closing::repair_locally(bool is_labelled) {
 
 void Closing::list_dropped(std::vector<VertexId> dropped) {
   for (const VertexId v : dropped)
-    result_.reasons.push_back(is_undecided_[index(v)] ? DropReason::Limit
-                                                      : DropReason::NoSolution);
+    result_.reasons.push_back(is_cut_short_ || is_undecided_[index(v)]
+                                  ? DropReason::Limit
+                                  : DropReason::NoSolution);
   result_.dropped = std::move(dropped);
 }
 

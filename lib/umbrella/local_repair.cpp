@@ -122,7 +122,7 @@ class Repair {
                                  n_triangles_, n_components_);
   }
   void accept(const Attempt& solved);
-  bool is_over() const { return effort_.is_spent() || solver_.is_stopped(); }
+  bool is_over() const { return effort_.is_spent() || solver_.is_over(); }
 
   const ClosingOptions& options_;
   const ClosingOptions local_options_;

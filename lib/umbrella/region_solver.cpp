@@ -72,6 +72,15 @@ RegionSolver::RegionSolver(const delaunay::Triangulation3& triangulation,
                                                    surface.n_vertices()))),
       start_(std::chrono::steady_clock::now()) {}
 
+Attempt RegionSolver::attempt(const Region& region, Effort& effort,
+                              const AttemptOptions& how) {
+  if (is_over()) {
+    note_limit();
+    return {};
+  }
+  return attempt({region, candidates(region)}, effort, how);
+}
+
 Attempt RegionSolver::attempt(Proposal proposal, Effort& effort,
                               const AttemptOptions& how) {
   const std::vector<LocatedTriangle>& candidates = proposal.candidates;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <chrono>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -32,9 +33,7 @@ class RegionSolver {
 
   /// @param effort  half of it may be taken, and is taken off
   Attempt attempt(const Region& region, Effort& effort,
-                  const AttemptOptions& how = {}) {
-    return attempt({region, candidates(region)}, effort, how);
-  }
+                  const AttemptOptions& how = {});
 
   /// A region with its candidates.
   struct Proposal {
@@ -60,7 +59,11 @@ class RegionSolver {
   bool is_one_piece() { return piece_finder_.is_one_piece(); }
 
   double seconds_left() const;
-  bool is_stopped() const { return options_.stop != nullptr && *options_.stop; }
+  /// Whether the clock or the caller says so. Then attempts find nothing.
+  bool is_over() const {
+    return (options_.stop != nullptr && *options_.stop) ||
+           (std::isfinite(options_.seconds) && seconds_left() <= 0);
+  }
 
   Neighborhoods& neighborhoods() { return neighborhoods_; }
   std::uint64_t conflicts() const { return conflicts_; }
