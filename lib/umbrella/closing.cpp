@@ -17,9 +17,14 @@
 #include "umbrella/local_repair_internal.h"
 #include "umbrella/new_handles_internal.h"
 #include "umbrella/region_solver_internal.h"
+#include "umbrella/sort_unique_internal.h"
 
 namespace umbrella {
 namespace {
+
+void append(std::span<const VertexId> more, std::vector<VertexId>& all) {
+  all.insert(all.end(), more.begin(), more.end());
+}
 
 class Closing {
  public:
@@ -54,6 +59,8 @@ class Closing {
     bool has_hit_limit = false;
     // Of the smallest program that has hit a limit.
     std::size_t undecided = std::numeric_limits<std::size_t>::max();
+
+    bool is_swallowed() const { return region.vertices.empty(); }
   };
 
   void solve_as_given(std::vector<Region> regions);
@@ -64,6 +71,7 @@ class Closing {
             options_.propagations +
                 options_.propagations_per_vertex * region.vertices.size()};
   }
+  void repair_all();
   void repair(Task task);
   void find_stuck(Task& task);
   bool grow(Task& task);
@@ -85,6 +93,7 @@ class Closing {
   PointGroups groups_;
   RegionSolver solver_;
   std::vector<Task> tasks_;  // regions that have no solution as given
+  std::vector<std::uint32_t> task_of_;  // by vertex, while they are repaired
   std::vector<VertexId> dropped_;
   std::vector<bool> is_undecided_;  // vertices of regions given up at a limit
   bool is_cut_short_ = false;  // by the clock or the caller, before the repair
@@ -93,19 +102,7 @@ class Closing {
 
 ClosingResult Closing::run(std::span<const Hole> holes) {
   solve_as_given(merge_holes(holes, surface_));
-  if (options_.mode == CloseMode::Best) {
-    // Small ones come first, before a large one has taken most of the effort.
-    std::reverse(tasks_.begin(), tasks_.end());
-    std::stable_sort(
-        tasks_.begin(), tasks_.end(), [](const Task& a, const Task& b) {
-          return a.region.vertices.size() > b.region.vertices.size();
-        });
-    while (!tasks_.empty()) {
-      Task task = std::move(tasks_.back());
-      tasks_.pop_back();
-      repair(std::move(task));
-    }
-  }
+  if (options_.mode == CloseMode::Best) repair_all();
   for (const Task& task : tasks_) give_up(task);
   result_.report.conflicts += solver_.conflicts();
   result_.report.timed_out |= solver_.is_timed_out();
@@ -179,6 +176,24 @@ std::vector<Attempt> Closing::attempts(std::span<const Region> regions,
   result_.report.conflicts = conflicts;
   result_.report.timed_out = is_timed_out;
   return result;
+}
+
+/// Small ones come first, before a large one has taken most of the effort.
+void Closing::repair_all() {
+  std::reverse(tasks_.begin(), tasks_.end());
+  std::stable_sort(tasks_.begin(), tasks_.end(),
+                   [](const Task& a, const Task& b) {
+                     return a.region.vertices.size() > b.region.vertices.size();
+                   });
+  task_of_.assign(surface_.n_vertices(),
+                  std::numeric_limits<std::uint32_t>::max());
+  for (std::uint32_t i = 0; i < tasks_.size(); ++i)
+    for (const VertexId v : tasks_[i].region.vertices) task_of_[index(v)] = i;
+  while (!tasks_.empty()) {
+    Task task = std::move(tasks_.back());
+    tasks_.pop_back();
+    if (!task.is_swallowed()) repair(std::move(task));
+  }
 }
 
 void Closing::repair(Task task) {
@@ -267,24 +282,25 @@ std::vector<LocatedTriangle> Closing::swallow(Task& task, Region& region) {
   while (true) {
     std::vector<LocatedTriangle> candidates = solver_.candidates(region);
     const std::vector<VertexId> touched = vertices_of(region, candidates);
-    const auto is_apart = [&](const Task& other) {
-      return std::none_of(other.region.vertices.begin(),
-                          other.region.vertices.end(), [&](VertexId v) {
-                            return std::binary_search(touched.begin(),
-                                                      touched.end(), v);
-                          });
-    };
-    const auto met =
-        std::stable_partition(tasks_.begin(), tasks_.end(), is_apart);
-    if (met == tasks_.end()) return candidates;
-    for (auto other = met; other != tasks_.end(); ++other) {
-      const auto& theirs = other->region.vertices;
-      region.vertices = united(region.vertices, theirs);
-      task.region.vertices = united(task.region.vertices, theirs);
-      task.stuck = united(task.stuck, other->stuck);
-      task.n_regions += other->n_regions;
+    std::vector<std::uint32_t> met;
+    for (const VertexId v : touched)
+      if (const std::uint32_t i = task_of_[index(v)];
+          i < tasks_.size() && !tasks_[i].is_swallowed())
+        met.push_back(i);
+    if (met.empty()) return candidates;
+    sort_unique(met);
+    std::vector<VertexId> vertices, stuck;
+    for (const std::uint32_t i : met) {
+      const Task other = std::exchange(tasks_[i], {});
+      append(other.region.vertices, vertices);
+      append(other.stuck, stuck);
+      task.n_regions += other.n_regions;
     }
-    tasks_.erase(met, tasks_.end());
+    sort_unique(vertices);
+    sort_unique(stuck);
+    region.vertices = united(region.vertices, vertices);
+    task.region.vertices = united(task.region.vertices, vertices);
+    task.stuck = united(task.stuck, stuck);
   }
 }
 
