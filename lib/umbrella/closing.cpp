@@ -105,6 +105,7 @@ ClosingResult Closing::run(std::span<const Hole> holes) {
   if (options_.mode == CloseMode::Best) repair_all();
   for (const Task& task : tasks_) give_up(task);
   result_.report.conflicts += solver_.conflicts();
+  result_.report.propagations += solver_.propagations();
   result_.report.timed_out |= solver_.is_timed_out();
   result_.triangles = surface_.sorted();
   std::sort(dropped_.begin(), dropped_.end());
@@ -152,6 +153,7 @@ std::vector<Attempt> Closing::attempts(std::span<const Region> regions,
   std::vector<Attempt> result(regions.size());
   std::atomic<std::size_t> next = 0;
   std::atomic<std::uint64_t> conflicts = 0;
+  std::atomic<std::uint64_t> propagations = 0;
   std::atomic<bool> is_timed_out = false;
   const auto work = [&](RegionSolver& solver) {
     for (std::size_t i = next++; i < regions.size(); i = next++)
@@ -169,11 +171,13 @@ std::vector<Attempt> Closing::attempts(std::span<const Region> regions,
                             groups_);
         work(solver);
         conflicts += solver.conflicts();
+        propagations += solver.propagations();
         if (solver.is_timed_out()) is_timed_out = true;
       });
     work(solver_);
   }
   result_.report.conflicts = conflicts;
+  result_.report.propagations = propagations;
   result_.report.timed_out = is_timed_out;
   return result;
 }
@@ -392,6 +396,7 @@ void Closing::repair_locally(bool is_labelled) {
   }
   LocalRepair repaired =
       umbrella::repair_locally(triangulation_, options, result_.triangles);
+  result_.report.propagations += repaired.propagations;
   result_.report.pieces_joined = repaired.pieces_joined;
   result_.report.brought_in = repaired.brought_in;
   result_.report.handles_removed = repaired.handles_removed;
