@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <random>
 #include <set>
 #include <vector>
@@ -185,6 +186,27 @@ TEST(CloseHoles, ClosesBeyondTheLimitsOfItsPrograms) {
   EXPECT_EQ(result.report.labelled, result.report.regions);
   const SurfaceReport report = judged(input, result);
   EXPECT_TRUE(report.closed && report.manifold);
+}
+
+// So that a limit is kept to, however many points there are.
+TEST(CloseHoles, MakesNoProgramOnceItIsToEnd) {
+  const Input input(shapes::sample("uniform", 1000, {}));
+  const std::atomic<bool> stop = true;
+  for (const ClosingOptions& options :
+       {ClosingOptions{.stop = &stop}, ClosingOptions{.seconds = 0}}) {
+    const ClosingResult result = input.close(options);
+    const ClosingReport& report = result.report;
+    EXPECT_EQ(report.variables, 0U);
+    EXPECT_EQ(report.undecided, report.regions);
+    EXPECT_EQ(report.pieces_joined + report.brought_in + report.handles_removed,
+              0U);
+    EXPECT_EQ(report.timed_out, options.stop == nullptr);
+    const SurfaceReport surface = judged(input, result);
+    EXPECT_TRUE(surface.closed && surface.manifold);
+    EXPECT_LT(10 * result.dropped.size(), 1000U);
+    EXPECT_EQ(result.reasons, std::vector<DropReason>(result.dropped.size(),
+                                                      DropReason::Limit));
+  }
 }
 
 TEST(CloseHoles, StaysOpenAtItsLimitsWhereNoPointMayBeLeftOut) {

@@ -158,5 +158,75 @@ TEST(HardInputs, OfFewPointsClose) { expect_closed_sets(20261122, 6); }
 
 TEST(SlowHardInputs, OfFewPointsClose) { expect_closed_sets(20261123, 100); }
 
+Points in_cube(Rng& rng, std::size_t n) {
+  return repeat(n, [&] { return random_point(rng); });
+}
+
+Points on_cubic_lattice(Rng&, std::size_t n) {
+  const auto side = static_cast<std::size_t>(std::cbrt(static_cast<double>(n)));
+  Points points(side * side * side);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    points[i] = {static_cast<double>(i % side),
+                 static_cast<double>(i / side % side),
+                 static_cast<double>(i / side / side)};
+  return points;
+}
+
+Points about_a_sphere(Rng& rng, std::size_t n) {
+  return repeat(n, [&] {
+    const Point3 p = random_point(rng).normalized();
+    return Point3((1 + 0.05 * unit(rng)) * p);
+  });
+}
+
+Points in_balls_on_a_sphere(Rng& rng, std::size_t n) {
+  const double radius = std::sqrt(30.0 / static_cast<double>(n));
+  Point3 centre = Point3::UnitX();
+  std::size_t i = 0;
+  return repeat(n, [&]() -> Point3 {
+    if (i++ % 150 == 0) centre = random_point(rng).normalized();
+    if (i % 150 < 30) return centre + radius * random_point(rng);
+    return random_point(rng).normalized();
+  });
+}
+
+/// Of a region, twice, the second time for leaving points out; and of the local
+/// repair, which may take as much as two. The last program of each may take
+/// what it costs to make it too much.
+std::uint64_t most_propagations(const ReconstructOptions& options,
+                                const Reconstruction& result) {
+  constexpr std::uint64_t kForMaking = 6;
+  const ClosingOptions& closing = options.closing;
+  const std::uint64_t once =
+      closing.propagations * result.closing.regions +
+      closing.propagations_per_vertex * result.surface.vertices;
+  const std::uint64_t repair =
+      closing.propagations +
+      closing.propagations_per_vertex * result.surface.vertices;
+  return 2 * once + 2 * repair + 2 * kForMaking * result.closing.variables;
+}
+
+// Whatever the points are, and however hard. There is so little effort that all
+// of it is taken.
+TEST(SlowHardInputs, TakeEffortInProportionToTheirNumber) {
+  ReconstructOptions options;
+  options.closing.propagations = 20'000;
+  options.closing.propagations_per_vertex = 15;
+  for (const Kind& kind :
+       {Kind{"cube", in_cube}, Kind{"grid", on_cubic_lattice},
+        Kind{"about a sphere", about_a_sphere},
+        Kind{"balls on a sphere", in_balls_on_a_sphere}})
+    for (const std::size_t n : {1000U, 8000U}) {
+      SCOPED_TRACE(testing::Message() << kind.name << ", n " << n);
+      Rng rng(n);
+      const Points points = kind.make(rng, n);
+      const Reconstruction result = reconstruct(points, options);
+      expect_closed(result, points.size());
+      EXPECT_GT(result.closing.propagations, 0U);
+      EXPECT_LE(result.closing.propagations,
+                most_propagations(options, result));
+    }
+}
+
 }  // namespace
 }  // namespace umbrella

@@ -46,6 +46,9 @@ std::optional<CellLabelReport> close_canonical(
     report.improvements += n_exchanged;
     goes_on = n_exchanged > 0 && !unused_vertices(labels).empty();
   }
+  if (is_stopped())
+    report.brought_in += moves.bring_in(unused_vertices(labels));
+  if (labels.has_left_window()) return std::nullopt;
   for (const LocatedTriangle& t : kept)
     report.given_up += labels.is_on_surface(t.facet) ? 0 : 1;
   return report;

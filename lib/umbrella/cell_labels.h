@@ -20,8 +20,9 @@ struct CellLabelOptions {
   /// Closed pieces of at most so many triangles are dissolved if their points
   /// can be reached from elsewhere.
   std::size_t piece_triangles = 12;
-  /// Once true, points are no longer brought in and nothing is improved: what
-  /// is left to do takes little time, and the result is closed all the same.
+  /// Once true, points are brought in only by single cells and nothing is
+  /// improved: what is left to do takes little time, and the result is closed
+  /// all the same.
   const std::atomic<bool>* stop = nullptr;
   /// The caller promises that `kept` ascends by corners and is manifold at all
   /// vertices that are neither open nor bare. The result is the same, in a time

@@ -18,9 +18,14 @@
 #include "umbrella/local_repair_internal.h"
 #include "umbrella/new_handles_internal.h"
 #include "umbrella/region_solver_internal.h"
+#include "umbrella/sort_unique_internal.h"
 
 namespace umbrella {
 namespace {
+
+void append(std::span<const VertexId> more, std::vector<VertexId>& all) {
+  all.insert(all.end(), more.begin(), more.end());
+}
 
 class Closing {
  public:
@@ -55,6 +60,8 @@ class Closing {
     bool has_hit_limit = false;
     // Of the smallest program that has hit a limit.
     std::size_t undecided = std::numeric_limits<std::size_t>::max();
+
+    bool is_swallowed() const { return region.vertices.empty(); }
   };
 
   void solve_as_given(std::vector<Region> regions);
@@ -65,6 +72,7 @@ class Closing {
             options_.propagations +
                 options_.propagations_per_vertex * region.vertices.size()};
   }
+  void repair_all();
   void repair(Task task);
   void find_stuck(Task& task);
   bool grow(Task& task);
@@ -87,28 +95,19 @@ class Closing {
   PointGroups groups_;
   RegionSolver solver_;
   std::vector<Task> tasks_;  // regions that have no solution as given
+  std::vector<std::uint32_t> task_of_;  // by vertex, while they are repaired
   std::vector<VertexId> dropped_;
   std::vector<bool> is_undecided_;  // vertices of regions given up at a limit
+  bool is_cut_short_ = false;  // by the clock or the caller, before the repair
   ClosingResult result_;
 };
 
 ClosingResult Closing::run(std::span<const Hole> holes) {
   solve_as_given(merge_holes(holes, surface_));
-  if (options_.mode == CloseMode::Best) {
-    // Small ones come first, before a large one has taken most of the effort.
-    std::reverse(tasks_.begin(), tasks_.end());
-    std::stable_sort(
-        tasks_.begin(), tasks_.end(), [](const Task& a, const Task& b) {
-          return a.region.vertices.size() > b.region.vertices.size();
-        });
-    while (!tasks_.empty()) {
-      Task task = std::move(tasks_.back());
-      tasks_.pop_back();
-      repair(std::move(task));
-    }
-  }
+  if (options_.mode == CloseMode::Best) repair_all();
   for (const Task& task : tasks_) give_up(task);
   result_.report.conflicts += solver_.conflicts();
+  result_.report.propagations += solver_.propagations();
   result_.report.timed_out |= solver_.is_timed_out();
   result_.triangles = surface_.sorted();
   std::sort(dropped_.begin(), dropped_.end());
@@ -158,6 +157,7 @@ std::vector<Attempt> Closing::attempts(std::span<const Region> regions,
   std::vector<Attempt> result(regions.size());
   std::atomic<std::size_t> next = 0;
   std::atomic<std::uint64_t> conflicts = 0;
+  std::atomic<std::uint64_t> propagations = 0;
   std::atomic<bool> is_timed_out = false;
   const auto work = [&](RegionSolver& solver) {
     for (std::size_t i = next++; i < regions.size(); i = next++)
@@ -175,13 +175,33 @@ std::vector<Attempt> Closing::attempts(std::span<const Region> regions,
                             groups_);
         work(solver);
         conflicts += solver.conflicts();
+        propagations += solver.propagations();
         if (solver.is_timed_out()) is_timed_out = true;
       });
     work(solver_);
   }
   result_.report.conflicts = conflicts;
+  result_.report.propagations = propagations;
   result_.report.timed_out = is_timed_out;
   return result;
+}
+
+/// Small ones come first, before a large one has taken most of the effort.
+void Closing::repair_all() {
+  std::reverse(tasks_.begin(), tasks_.end());
+  std::stable_sort(tasks_.begin(), tasks_.end(),
+                   [](const Task& a, const Task& b) {
+                     return a.region.vertices.size() > b.region.vertices.size();
+                   });
+  task_of_.assign(surface_.n_vertices(),
+                  std::numeric_limits<std::uint32_t>::max());
+  for (std::uint32_t i = 0; i < tasks_.size(); ++i)
+    for (const VertexId v : tasks_[i].region.vertices) task_of_[index(v)] = i;
+  while (!tasks_.empty()) {
+    Task task = std::move(tasks_.back());
+    tasks_.pop_back();
+    if (!task.is_swallowed()) repair(std::move(task));
+  }
 }
 
 void Closing::repair(Task task) {
@@ -233,7 +253,7 @@ bool Closing::grow(Task& task) {
 
 /// Tries a region that holds task.region, and keeps what can be learned.
 bool Closing::attempt(Task& task, Region& region, bool accept_drops) {
-  if (task.effort.is_spent() || solver_.is_stopped()) {
+  if (task.effort.is_spent() || solver_.is_over()) {
     task.last.outcome = Outcome::Undecided;
     task.has_hit_limit = true;
     return false;
@@ -270,24 +290,25 @@ std::vector<LocatedTriangle> Closing::swallow(Task& task, Region& region) {
   while (true) {
     std::vector<LocatedTriangle> candidates = solver_.candidates(region);
     const std::vector<VertexId> touched = vertices_of(region, candidates);
-    const auto is_apart = [&](const Task& other) {
-      return std::none_of(other.region.vertices.begin(),
-                          other.region.vertices.end(), [&](VertexId v) {
-                            return std::binary_search(touched.begin(),
-                                                      touched.end(), v);
-                          });
-    };
-    const auto met =
-        std::stable_partition(tasks_.begin(), tasks_.end(), is_apart);
-    if (met == tasks_.end()) return candidates;
-    for (auto other = met; other != tasks_.end(); ++other) {
-      const auto& theirs = other->region.vertices;
-      region.vertices = united(region.vertices, theirs);
-      task.region.vertices = united(task.region.vertices, theirs);
-      task.stuck = united(task.stuck, other->stuck);
-      task.n_regions += other->n_regions;
+    std::vector<std::uint32_t> met;
+    for (const VertexId v : touched)
+      if (const std::uint32_t i = task_of_[index(v)];
+          i < tasks_.size() && !tasks_[i].is_swallowed())
+        met.push_back(i);
+    if (met.empty()) return candidates;
+    sort_unique(met);
+    std::vector<VertexId> vertices, stuck;
+    for (const std::uint32_t i : met) {
+      const Task other = std::exchange(tasks_[i], {});
+      append(other.region.vertices, vertices);
+      append(other.stuck, stuck);
+      task.n_regions += other.n_regions;
     }
-    tasks_.erase(met, tasks_.end());
+    sort_unique(vertices);
+    sort_unique(stuck);
+    region.vertices = united(region.vertices, vertices);
+    task.region.vertices = united(task.region.vertices, vertices);
+    task.stuck = united(task.stuck, stuck);
   }
 }
 
@@ -350,6 +371,7 @@ void Closing::accept(const Attempt& solved) {
 /// Closes what is still open, and brings in points that were left out.
 /// @return whether there was anything to do
 bool Closing::label_cells() {
+  static constexpr std::atomic<bool> kStop = true;
   const ClosingReport& report = result_.report;
   result_.report.labelled = report.infeasible + report.undecided;
   if (report.labelled == 0 && dropped_.empty()) return false;
@@ -360,7 +382,7 @@ bool Closing::label_cells() {
       close_by_cell_labels(triangulation_, result_.triangles, open,
                            {.weight = options_.weight,
                             .piece_triangles = options_.piece_triangles,
-                            .stop = options_.stop,
+                            .stop = solver_.is_over() ? &kStop : options_.stop,
                             .is_closed_elsewhere = true});
   result_.triangles = std::move(labelled.triangles);
   dropped_ = std::move(labelled.left_out);
@@ -369,6 +391,9 @@ bool Closing::label_cells() {
 
 /// @return whether the surface may have changed
 bool Closing::repair_locally(bool is_labelled) {
+  is_cut_short_ = solver_.is_over();
+  result_.report.timed_out |= solver_.seconds_left() <= 0;
+  if (is_cut_short_) return false;
   ClosingOptions options = options_;
   options.on_program = {};
   options.seconds = std::max(0.0, solver_.seconds_left());
@@ -378,6 +403,7 @@ bool Closing::repair_locally(bool is_labelled) {
   }
   LocalRepair repaired =
       umbrella::repair_locally(triangulation_, options, result_.triangles);
+  result_.report.propagations += repaired.propagations;
   result_.report.pieces_joined = repaired.pieces_joined;
   result_.report.brought_in = repaired.brought_in;
   result_.report.handles_removed = repaired.handles_removed;
@@ -403,8 +429,9 @@ void Closing::open_bores(bool has_changed) {
 
 void Closing::list_dropped(std::vector<VertexId> dropped) {
   for (const VertexId v : dropped)
-    result_.reasons.push_back(is_undecided_[index(v)] ? DropReason::Limit
-                                                      : DropReason::NoSolution);
+    result_.reasons.push_back(is_cut_short_ || is_undecided_[index(v)]
+                                  ? DropReason::Limit
+                                  : DropReason::NoSolution);
   result_.dropped = std::move(dropped);
 }
 

@@ -106,6 +106,7 @@ class Repair {
   std::size_t bring_in();
   std::size_t remove_handles(HandleLoops& search, Loops loops);
   const std::vector<VertexId>& left_out() const { return left_out_; }
+  std::uint64_t propagations() const { return solver_.propagations(); }
   std::vector<LocatedTriangle> triangles() const { return surface_.sorted(); }
 
  private:
@@ -122,7 +123,7 @@ class Repair {
                                  n_triangles_, n_components_);
   }
   void accept(const Attempt& solved);
-  bool is_over() const { return effort_.is_spent() || solver_.is_stopped(); }
+  bool is_over() const { return effort_.is_spent() || solver_.is_over(); }
 
   const ClosingOptions& options_;
   const ClosingOptions local_options_;
@@ -173,8 +174,9 @@ std::size_t Repair::bring_in() {
     for (int ring = 0; ring < kRings && !surface_.is_used(v) && !is_over();
          ++ring) {
       region.vertices = solver_.neighborhoods().ring(region.vertices);
-      Vertices others = left_out_;
-      std::erase(others, v);
+      Vertices others = region.vertices;
+      std::erase_if(others,
+                    [&](VertexId w) { return w == v || surface_.is_used(w); });
       attempt(region, {.may_drop = others}, n_components_);
     }
   }
@@ -235,12 +237,12 @@ bool Repair::attempt(const Region& region, const AttemptOptions& how,
                          std::min(effort_.propagations, options_.propagations)};
   Effort effort = before;
   const Attempt attempt = solver_.attempt(region, effort, how);
+  const bool is_solved = attempt.outcome == Outcome::Solved;
+  const std::size_t n_components =
+      n_components_ + (is_solved ? solver_.n_pieces_added(attempt, effort) : 0);
   effort_.charge(before.conflicts - effort.conflicts,
                  before.propagations - effort.propagations);
-  if (attempt.outcome != Outcome::Solved) return false;
-  const std::size_t n_components =
-      n_components_ + solver_.n_pieces_added(attempt);
-  if (n_components > most_components) return false;
+  if (!is_solved || n_components > most_components) return false;
   accept(attempt);
   n_components_ = n_components;
   return true;
@@ -293,6 +295,7 @@ LocalRepair repair_locally(const delaunay::Triangulation3& triangulation,
   result.brought_in = repair.bring_in();
   if (options.handle_edges > 0)
     result.handles_removed = repair.remove_handles(search, std::move(loops));
+  result.propagations = repair.propagations();
   result.left_out = repair.left_out();
   triangles = repair.triangles();
   return result;

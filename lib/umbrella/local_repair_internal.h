@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "delaunay/triangulation3.h"
@@ -15,6 +16,7 @@ struct LocalRepair {
   std::size_t pieces_joined = 0;
   std::size_t brought_in = 0;
   std::size_t handles_removed = 0;
+  std::uint64_t propagations = 0;  ///< ClosingReport::propagations
   std::vector<VertexId> left_out;  ///< on no triangle; ascending
 };
 

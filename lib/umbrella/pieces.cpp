@@ -98,6 +98,7 @@ std::size_t PieceFinder::n_pieces_at(std::span<const VertexId> vertices,
                                      const Change& change) {
   Walks walks;
   (void)walk(vertices, change, surface_.n_vertices(), walks);
+  n_steps_ += walks.n_done();
   forget_reached();
   return walks.n_ended() + walks.n_going();
 }

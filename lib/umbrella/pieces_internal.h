@@ -53,6 +53,9 @@ class PieceFinder {
   /// as it is.
   std::ptrdiff_t n_pieces_added(const Change& change);
 
+  /// Vertices met by the walks of all these calls.
+  std::uint64_t n_steps() const { return n_steps_; }
+
   /// Whether the surface as it is has one piece and goes through all vertices.
   /// May be false as well where it takes a look at all of it to tell.
   ///
@@ -113,6 +116,7 @@ class PieceFinder {
   std::optional<TriangleIndex> doubtful_;  // goes if a patch is perhaps torn
   std::uint32_t n_pieces_ = 0;
   bool has_waited_ = false;
+  std::uint64_t n_steps_ = 0;
 };
 
 }  // namespace umbrella

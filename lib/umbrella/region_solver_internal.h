@@ -3,6 +3,7 @@
 #pragma once
 
 #include <chrono>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -32,9 +33,7 @@ class RegionSolver {
 
   /// @param effort  half of it may be taken, and is taken off
   Attempt attempt(const Region& region, Effort& effort,
-                  const AttemptOptions& how = {}) {
-    return attempt({region, candidates(region)}, effort, how);
-  }
+                  const AttemptOptions& how = {});
 
   /// A region with its candidates.
   struct Proposal {
@@ -52,18 +51,23 @@ class RegionSolver {
   bool closes_fragment(const Attempt& solved);
 
   /// PieceFinder::n_pieces_added, by a solved attempt.
-  std::ptrdiff_t n_pieces_added(const Attempt& solved) {
-    return piece_finder_.n_pieces_added(change_of(solved));
-  }
+  /// @param effort  the walks are taken off
+  std::ptrdiff_t n_pieces_added(const Attempt& solved, Effort& effort);
 
   /// PieceFinder::is_one_piece.
   bool is_one_piece() { return piece_finder_.is_one_piece(); }
 
   double seconds_left() const;
-  bool is_stopped() const { return options_.stop != nullptr && *options_.stop; }
+  /// Whether the clock or the caller says so. Then attempts find nothing.
+  bool is_over() const {
+    return (options_.stop != nullptr && *options_.stop) ||
+           (std::isfinite(options_.seconds) && seconds_left() <= 0);
+  }
 
   Neighborhoods& neighborhoods() { return neighborhoods_; }
   std::uint64_t conflicts() const { return conflicts_; }
+  /// With what else is taken off an effort.
+  std::uint64_t propagations() const { return propagations_; }
   /// Whether options.seconds cut a search short.
   bool is_timed_out() const { return is_timed_out_; }
 
@@ -88,6 +92,7 @@ class RegionSolver {
   void cut(Work& work, std::span<const Piece> pieces);
   bool is_fragment(const Piece& piece);
   ilp::Limits limits(const Work& work) const;
+  void charge(Effort& effort, const Effort& taken);
   void note(Work& work, ilp::Status status);
   void note_limit();
   void tell(Work& work);
@@ -102,6 +107,7 @@ class RegionSolver {
   std::size_t small_piece_;
   PieceFinder piece_finder_;
   std::uint64_t conflicts_ = 0;
+  std::uint64_t propagations_ = 0;
   bool is_timed_out_ = false;
   std::chrono::steady_clock::time_point start_;
 };
