@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 
 #include "command_path.h"
@@ -381,6 +382,25 @@ TEST_F(Command, WritesEachProgramOfTheClosing) {
   expect_error("reconstruct s.ply --report q-17.opb --write-opb ./q",
                "would overwrite q-17.opb");
   expect_error("reconstruct s.ply --write-mps ''", "name of a file is empty");
+}
+
+// With noise of half a spacing the choice of triangles is wide.
+TEST_F(Command, ClosesByEachWeight) {
+  ASSERT_EQ(run("generate sphere -n 400 --noise 0.5 -o s.ply").status, 0);
+  std::set<std::string> meshes;
+  for (const std::string weight :
+       {"ball-overlap", "circumradius", "lambda", "area"}) {
+    SCOPED_TRACE(weight);
+    const Finished made = run("reconstruct s.ply -o m.ply --weight " + weight);
+    EXPECT_EQ(made.status, 0) << made.err;
+    meshes.insert(folder_.content("m.ply"));
+  }
+  EXPECT_EQ(meshes.size(), 4U);
+  ASSERT_EQ(run("reconstruct s.ply -o m.ply").status, 0);
+  EXPECT_TRUE(meshes.contains(folder_.content("m.ply")));
+  expect_error("reconstruct s.ply --weight length", "--weight: 'length' is");
+  folder_.file("p.xy", "0 0\n1 0\n0 1\n1 1\n");
+  expect_error("reconstruct p.xy --weight area", "is for points in space");
 }
 
 TEST_F(Command, SaysThatTheTimeWasUp) {
