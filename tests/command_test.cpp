@@ -12,33 +12,23 @@
 #include <string>
 
 #include "command_path.h"
+#include "tests/support/command_run.h"
 #include "tests/support/temporary_folder.h"
 
 namespace {
 
+using support::Finished;
 using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
 using Json = nlohmann::json;
 
-struct Finished {
-  int status;
-  std::string out;
-  std::string err;
-};
-
 class Command : public ::testing::Test {
  protected:
-  // Runs in the folder of the test, by the shell.
   Finished run(const std::string& arguments,
                const std::string& input = "/dev/null",
-               const std::string& output = "out") {
-    const std::string line = "cd '" + folder_.path("") + "' && '" +
-                             kCommandPath + "' " + arguments + " 2>err <" +
-                             input + " >" + output;
-    const int status = std::system(line.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1,
-            folder_.content("out"), folder_.content("err")};
+               const std::string& output = "out") const {
+    return support::run_command(folder_, arguments, input, output);
   }
 
   void expect_error(const std::string& arguments, const std::string& text) {
