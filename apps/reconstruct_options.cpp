@@ -59,7 +59,7 @@ void add_program_options(CLI::App& sub, Request& request) {
                    std::string("Write each program of the closing as "
                                "PREFIX-1") +
                        extension + ", PREFIX-2" + extension + ", ...")
-        ->check(path_problem)
+        ->check(file_problem)
         ->type_name("PREFIX");
   };
   prefix("--write-opb", request.programs.opb, ".opb");

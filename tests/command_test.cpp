@@ -372,6 +372,7 @@ TEST_F(Command, WritesEachProgramOfTheClosing) {
   expect_error("reconstruct s.ply --report q-17.opb --write-opb ./q",
                "would overwrite q-17.opb");
   expect_error("reconstruct s.ply --write-mps ''", "name of a file is empty");
+  expect_error("reconstruct s.ply --write-opb -", "cannot be standard output");
 }
 
 // With noise of half a spacing the choice of triangles is wide.
