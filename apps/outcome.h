@@ -24,6 +24,7 @@ struct Request {
   std::string criterion = "paper";
   std::string umbrella = "first";
   umbrella::CloseMode close = umbrella::CloseMode::Best;
+  umbrella::CloseWeight weight = umbrella::CloseWeight::BallOverlap;
   std::optional<umbrella::CurveMode> curve;  ///< in the plane; none: Auto
   std::optional<double> time_limit;          ///< seconds
   unsigned threads = 1;

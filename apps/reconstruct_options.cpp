@@ -34,6 +34,16 @@ void add_closing_options(CLI::App& sub, Request& request) {
       request.close,
       {{"best", umbrella::CloseMode::Best},
        {"paper", umbrella::CloseMode::Paper}});
+  add_choice<umbrella::CloseWeight, umbrella::CloseWeight>(
+      sub,
+      {"--weight", "NAME",
+       "What makes a triangle the worse in --close best: ball-overlap, "
+       "circumradius, lambda or area [ball-overlap]"},
+      request.weight,
+      {{"ball-overlap", umbrella::CloseWeight::BallOverlap},
+       {"circumradius", umbrella::CloseWeight::Circumradius},
+       {"lambda", umbrella::CloseWeight::LambdaLower},
+       {"area", umbrella::CloseWeight::Area}});
   sub.add_option(
          "--time-limit", request.time_limit,
          "Seconds for closing; regions undecided by then are closed by cell "
@@ -49,7 +59,7 @@ void add_program_options(CLI::App& sub, Request& request) {
                    std::string("Write each program of the closing as "
                                "PREFIX-1") +
                        extension + ", PREFIX-2" + extension + ", ...")
-        ->check(path_problem)
+        ->check(file_problem)
         ->type_name("PREFIX");
   };
   prefix("--write-opb", request.programs.opb, ".opb");

@@ -28,6 +28,8 @@ void require_plane_options(const Request& request) {
         "--stage filter and clean know no --curve but paper");
   if (request.close != umbrella::CloseMode::Best)
     throw std::invalid_argument("--close paper is for points in space");
+  if (request.weight != umbrella::CloseWeight::BallOverlap)
+    throw std::invalid_argument("--weight is for points in space");
   if (!request.programs.are_empty())
     throw std::invalid_argument(
         "--write-opb, --write-lp and --write-mps are for points in space");

@@ -34,6 +34,7 @@ umbrella::Reconstruction run(const io::PointSet& points, const Request& request,
   options.criterion = request.criterion;
   options.umbrella = umbrella::umbrella_choice(request.umbrella);
   options.closing.mode = request.close;
+  options.closing.weight = request.weight;
   if (request.repairs) options.faces = faces;
   if (request.time_limit) options.closing.seconds = *request.time_limit;
   options.threads = request.threads;

@@ -4,11 +4,12 @@
     scripts/corpus.py UMBRELLA [--half choose|report] [--markdown] MESH...
     scripts/corpus.py build/release/bin/umbrella data/real/*.off
 
-A mesh counts if `umbrella check` finds it closed and manifold. Its vertices go
-through `umbrella reconstruct`; the table says what came out, and whether genus
-and number of components are the mesh's own. Every second mesh by name belongs
-to the half that choices in the closing were made on, the others to the half
-that tells what they are worth. Seconds are processor time of the whole run.
+A mesh counts if `umbrella check` finds it closed and manifold, as it stands or
+with equal vertices merged (OFF files only). Its vertices go through `umbrella
+reconstruct`; the table says what came out, and whether genus and number of
+components are the mesh's own. Of the meshes as they stand every second by name
+belongs to the half that choices in the closing were made on; all others belong
+to the half that tells what they are worth. Seconds are processor time of the whole run.
 """
 
 import argparse
@@ -28,6 +29,49 @@ def check(umbrella, mesh):
     run = subprocess.run([umbrella, "check", mesh, "--json"],
                          capture_output=True, text=True)
     return json.loads(run.stdout)["surface"] if run.stdout else None
+
+
+def merged(mesh, folder):
+    """A copy of an OFF file in which equal vertices are one."""
+    words = [word for line in mesh.read_text().splitlines()
+             for word in line.split("#")[0].split()]
+    n_points, n_faces = int(words[1]), int(words[2])
+    rows, row_of_vertex, at = {}, [], 4
+    for _ in range(n_points):
+        point = tuple(map(float, words[at:at + 3]))
+        row_of_vertex.append(rows.setdefault(point, len(rows)))
+        at += 3
+    faces = []
+    for _ in range(n_faces):
+        n = int(words[at])
+        faces.append([row_of_vertex[int(v)] for v in words[at + 1:at + 1 + n]])
+        at += 1 + n
+    copy = pathlib.Path(folder) / mesh.name
+    copy.write_text("\n".join(
+        [f"OFF\n{len(rows)} {len(faces)} 0"] +
+        [" ".join(map(repr, point)) for point in rows] +
+        [" ".join(map(str, [len(face), *face])) for face in faces]) + "\n")
+    return copy
+
+
+def is_sound(certificate):
+    return bool(certificate and certificate["closed"] and
+                certificate["manifold"])
+
+
+def chosen(umbrella, meshes):
+    """Each mesh that counts, with its half and certificate."""
+    n_halved = 0
+    for mesh in sorted(meshes, key=lambda path: path.name):
+        own = check(umbrella, mesh)
+        if is_sound(own):
+            yield mesh, "report" if n_halved % 2 else "choose", own
+            n_halved += 1
+        elif own and mesh.suffix == ".off":
+            with tempfile.TemporaryDirectory() as folder:
+                own = check(umbrella, merged(mesh, folder))
+            if is_sound(own):
+                yield mesh, "report", own
 
 
 def reconstruct(umbrella, mesh, extra, timeout):
@@ -54,8 +98,7 @@ def row_of(mesh, half, own, report, seconds):
     if report is None:
         return row | {"points": own["vertices"], "verdict": "timeout"}
     ours = report["surface"]
-    is_sound = ours["closed"] and ours["manifold"]
-    is_whole = is_sound and not ours["unused_points"]
+    is_whole = is_sound(ours) and not ours["unused_points"]
     is_right = is_whole and (ours["genus"] == own["genus"] and
                              ours["components"] == own["components"])
     return row | {
@@ -66,7 +109,7 @@ def row_of(mesh, half, own, report, seconds):
         "genus": f'{ours["genus"]} / {own["genus"]}',
         "dropped": len(ours["unused_points"]),
         "verdict": "right" if is_right else "closed" if is_whole
-                   else "points left out" if is_sound else "open"}
+                   else "points left out" if is_sound(ours) else "open"}
 
 
 def total(rows):
@@ -101,17 +144,11 @@ def main():
                         help="passed on to umbrella reconstruct")
     arguments = parser.parse_args()
 
-    meshes = []
-    for mesh in sorted(arguments.mesh, key=lambda path: path.name):
-        own = check(arguments.umbrella, mesh)
-        if own and own["closed"] and own["manifold"]:
-            meshes.append((mesh, own))
     show({column: column for column in COLUMNS}, arguments.markdown)
     if arguments.markdown:
         print("|" + "---|" * len(COLUMNS))
     rows = []
-    for i, (mesh, own) in enumerate(meshes):
-        half = "report" if i % 2 else "choose"
+    for mesh, half, own in chosen(arguments.umbrella, arguments.mesh):
         if arguments.half not in (None, half):
             continue
         rows.append(row_of(mesh, half, own, *reconstruct(

@@ -158,6 +158,18 @@ TEST(CloseHoles, CountsItsRegions) {
   EXPECT_GE(report.largest_region_vertices, 3U);
 }
 
+TEST(CloseHoles, CountsItsConflicts) {
+  const Input cloud(shapes::sample("uniform", 150, {.seed = 3}));
+  ClosingOptions options = {.conflicts = 500};
+  std::uint64_t n_programs = 0;
+  options.on_program = [&](const ilp::LinearForm&, ilp::Status) {
+    ++n_programs;
+  };
+  const std::uint64_t conflicts = cloud.close(options).report.conflicts;
+  EXPECT_GT(conflicts, 0U);
+  EXPECT_LE(conflicts, n_programs * (options.short_search + options.conflicts));
+}
+
 TEST(CloseHoles, IsTheSameOnAnyNumberOfThreads) {
   Input torus(shapes::sample("torus", 1500, {}));
   torus.damage(80, 1);

@@ -8,36 +8,27 @@
 #include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 
 #include "command_path.h"
+#include "tests/support/command_run.h"
 #include "tests/support/temporary_folder.h"
 
 namespace {
 
+using support::Finished;
 using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
 using Json = nlohmann::json;
 
-struct Finished {
-  int status;
-  std::string out;
-  std::string err;
-};
-
 class Command : public ::testing::Test {
  protected:
-  // Runs in the folder of the test, by the shell.
   Finished run(const std::string& arguments,
                const std::string& input = "/dev/null",
-               const std::string& output = "out") {
-    const std::string line = "cd '" + folder_.path("") + "' && '" +
-                             kCommandPath + "' " + arguments + " 2>err <" +
-                             input + " >" + output;
-    const int status = std::system(line.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1,
-            folder_.content("out"), folder_.content("err")};
+               const std::string& output = "out") const {
+    return support::run_command(folder_, arguments, input, output);
   }
 
   void expect_error(const std::string& arguments, const std::string& text) {
@@ -381,6 +372,26 @@ TEST_F(Command, WritesEachProgramOfTheClosing) {
   expect_error("reconstruct s.ply --report q-17.opb --write-opb ./q",
                "would overwrite q-17.opb");
   expect_error("reconstruct s.ply --write-mps ''", "name of a file is empty");
+  expect_error("reconstruct s.ply --write-opb -", "cannot be standard output");
+}
+
+// With noise of half a spacing the choice of triangles is wide.
+TEST_F(Command, ClosesByEachWeight) {
+  ASSERT_EQ(run("generate sphere -n 400 --noise 0.5 -o s.ply").status, 0);
+  std::set<std::string> meshes;
+  for (const std::string weight :
+       {"ball-overlap", "circumradius", "lambda", "area"}) {
+    SCOPED_TRACE(weight);
+    const Finished made = run("reconstruct s.ply -o m.ply --weight " + weight);
+    EXPECT_EQ(made.status, 0) << made.err;
+    meshes.insert(folder_.content("m.ply"));
+  }
+  EXPECT_EQ(meshes.size(), 4U);
+  ASSERT_EQ(run("reconstruct s.ply -o m.ply").status, 0);
+  EXPECT_TRUE(meshes.contains(folder_.content("m.ply")));
+  expect_error("reconstruct s.ply --weight length", "--weight: 'length' is");
+  folder_.file("p.xy", "0 0\n1 0\n0 1\n1 1\n");
+  expect_error("reconstruct p.xy --weight area", "is for points in space");
 }
 
 TEST_F(Command, SaysThatTheTimeWasUp) {

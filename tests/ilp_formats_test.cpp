@@ -7,6 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -231,6 +232,26 @@ TEST(ReadOpb, SaysWhereAFileIsWrong) {
 }
 
 // Whatever the bytes, the reader ends with a program or with one line.
+// The rest of the text may lie behind it in memory.
+TEST(ReadOpb, LooksNoFurtherThanItsText) {
+  const auto outcome = [](std::string_view text) -> std::string {
+    try {
+      const Program program = ilp::read_opb(text, "p.opb");
+      return opb(linear_form(program.problem));
+    } catch (const std::invalid_argument& problem) {
+      return problem.what();
+    }
+  };
+  const std::string whole =
+      "* #variable= 12 #constraint= 2\nmin: -3 x1 +12 ~x12 ;\n"
+      "+11 x11 -2 x1 >= -15 ;\n* star\nx2 = 1 ;\n";
+  for (std::size_t n = 0; n <= whole.size(); ++n) {
+    SCOPED_TRACE(testing::Message() << n << " characters");
+    EXPECT_EQ(outcome(std::string_view(whole).substr(0, n)),
+              outcome(whole.substr(0, n)));
+  }
+}
+
 TEST(ReadOpb, WithstandsMutation) {
   const std::string sound = opb(linear_form(support::torus_hole(3, 1, 1)));
   std::mt19937_64 rng(1);

@@ -444,5 +444,34 @@ TEST(LabelMending, MendsAnyLabels) {
   }
 }
 
+/// Two cells at one edge and a third between them: to switch one of the two off
+/// would lose points, to join them does not.
+TEST(LabelMending, JoinsPartsRatherThanLosePoints) {
+  const Triangulation3 t = cloud(60, 1);
+  const auto all = all_vertices(t);
+  std::size_t n_joined = 0;
+  for (std::size_t c = 0; c < t.n_finite_cells(); ++c) {
+    const auto& around = t.cell(cell_id(c)).neighbor;
+    const CellId a = around[c % 4].cell(), b = around[(c + 1) % 4].cell();
+    const auto& beside_a = t.cell(a).neighbor;
+    if (t.cell(a).is_infinite() || t.cell(b).is_infinite() ||
+        std::any_of(beside_a.begin(), beside_a.end(),
+                    [b](Facet f) { return f.cell() == b; }))
+      continue;
+    SCOPED_TRACE(testing::Message() << "cell " << c);
+    LabelFrame frame(t, CloseWeight::Circumradius, {}, all);
+    Labelling labels(t);
+    labels.flip(a);
+    labels.flip(b);
+    EXPECT_EQ(LabelMending(frame, labels).run(), 2U);
+    EXPECT_EQ(judged(labels).nonmanifold_vertices, 0U);
+    for (const CellId end : {a, b})
+      for (const VertexId v : t.cell(end).vertex)
+        EXPECT_TRUE(labels.is_used(v));
+    ++n_joined;
+  }
+  EXPECT_GT(n_joined, 50U);
+}
+
 }  // namespace
 }  // namespace umbrella

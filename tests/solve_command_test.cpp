@@ -2,34 +2,22 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
-#include <cstdlib>
 #include <string>
 
-#include "command_path.h"
+#include "tests/support/command_run.h"
 #include "tests/support/temporary_folder.h"
 
 namespace {
 
+using support::Finished;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
 class SolveCommand : public ::testing::Test {
  protected:
-  struct Finished {
-    int status;
-    std::string out;
-    std::string err;
-  };
-
-  Finished run(const std::string& arguments) {
-    const std::string line = "cd '" + folder_.path("") + "' && '" +
-                             kCommandPath + "' solve " + arguments +
-                             " >out 2>err </dev/null";
-    const int status = std::system(line.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1,
-            folder_.content("out"), folder_.content("err")};
+  Finished run(const std::string& arguments) const {
+    return support::run_command(folder_, "solve " + arguments);
   }
 
   support::TemporaryFolder folder_;

@@ -19,7 +19,7 @@ int exact_sign(const Points<Predicate::kPoints>& p);
 
 /// Stages B, C and D of [Shewchuk97, Sec. 4]; nullopt where a term could
 /// overflow or lose bits to underflow. Not part of exact_sign
-/// (docs/decisions/exact-stage.md): an independent check of the integers.
+/// (docs/decisions/exact_stage.md): an independent check of the integers.
 template <class Predicate>
 std::optional<int> adaptive_expansion_sign(const Points<Predicate::kPoints>& p);
 
