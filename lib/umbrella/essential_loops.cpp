@@ -14,6 +14,23 @@ constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 constexpr std::uint32_t kUnmet = kNone - 1;
 constexpr std::size_t kBits = 64;
 
+/// By insertion, one after another: it is a handful most often.
+template <class Item, class Before>
+void sort_few(std::span<Item> items, Before before) {
+  constexpr std::size_t kMany = 32;
+  if (items.size() > kMany) {
+    std::sort(items.begin(), items.end(), before);
+    return;
+  }
+  for (std::size_t i = 1; i < items.size(); ++i) {
+    const Item item = items[i];
+    std::size_t place = i;
+    for (; place > 0 && before(item, items[place - 1]); --place)
+      items[place] = items[place - 1];
+    items[place] = item;
+  }
+}
+
 /// The short ones first.
 bool is_before(const std::vector<VertexId>& a, const std::vector<VertexId>& b) {
   return a.size() != b.size() ? a.size() < b.size() : a < b;
@@ -32,7 +49,8 @@ EssentialLoops::EssentialLoops(std::size_t n_vertices,
   step_of_vertex_.assign(n_vertices, kNone);
 }
 
-/// By their smaller end, then by the other.
+/// By their smaller end, then by the other. The edges of a triangle, ab, ac,
+/// bc, come in this order.
 void EssentialLoops::find_edges(std::span<const Triangle> triangles,
                                 std::span<const Seam> boundary) {
   struct Side {
@@ -47,7 +65,7 @@ void EssentialLoops::find_edges(std::span<const Triangle> triangles,
       visit(b, Side{c, f});
     }
   };
-  std::vector<std::size_t> last(begin_.size());
+  std::vector<std::uint32_t> last(begin_.size());
   for_each_side([&](VertexId v, const Side&) { ++last[index(v) + 1]; });
   std::partial_sum(last.begin(), last.end(), last.begin());
   std::vector<Side> sides(3 * triangles.size());
@@ -63,9 +81,8 @@ void EssentialLoops::find_edges(std::span<const Triangle> triangles,
   };
   std::size_t i = 0;
   for (std::uint32_t v = 0; v + 1 < begin_.size(); ++v) {
-    std::sort(sides.begin() + static_cast<std::ptrdiff_t>(i),
-              sides.begin() + static_cast<std::ptrdiff_t>(last[v]),
-              [](const Side& a, const Side& b) { return a.end < b.end; });
+    sort_few(std::span(sides).subspan(i, last[v] - i),
+             [](const Side& a, const Side& b) { return a.end < b.end; });
     while (i < last[v]) {
       const auto [end, face] = sides[i++];
       const bool is_inner = i < last[v] && sides[i].end == end;
@@ -80,8 +97,8 @@ void EssentialLoops::add_edge(const Edge& edge) {
   const std::size_t n_triangles = edges_of_triangle_.size();
   for (const std::uint32_t f : edge.faces) {
     if (f < n_triangles) {
-      auto& edges = edges_of_triangle_[f];
-      *std::find(edges.begin(), edges.end(), kNone) = e;
+      auto& [ab, ac, bc] = edges_of_triangle_[f];
+      (ab == kNone ? ab : ac == kNone ? ac : bc) = e;
       continue;
     }
     if (f >= n_faces()) edges_of_piece_.resize(f - n_triangles + 1);
