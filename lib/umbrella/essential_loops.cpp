@@ -1,9 +1,9 @@
 #include <algorithm>
-#include <functional>
 #include <limits>
 #include <numeric>
 #include <utility>
 
+#include "umbrella/disjoint_sets_internal.h"
 #include "umbrella/essential_loops_internal.h"
 #include "umbrella/sort_unique_internal.h"
 
@@ -11,7 +11,25 @@ namespace umbrella {
 namespace {
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t kUnmet = kNone - 1;
 constexpr std::size_t kBits = 64;
+
+/// By insertion, one after another: it is a handful most often.
+template <class Item, class Before>
+void sort_few(std::span<Item> items, Before before) {
+  constexpr std::size_t kMany = 32;
+  if (items.size() > kMany) {
+    std::sort(items.begin(), items.end(), before);
+    return;
+  }
+  for (std::size_t i = 1; i < items.size(); ++i) {
+    const Item item = items[i];
+    std::size_t place = i;
+    for (; place > 0 && before(item, items[place - 1]); --place)
+      items[place] = items[place - 1];
+    items[place] = item;
+  }
+}
 
 /// The short ones first.
 bool is_before(const std::vector<VertexId>& a, const std::vector<VertexId>& b) {
@@ -26,11 +44,13 @@ EssentialLoops::EssentialLoops(std::size_t n_vertices,
   begin_.assign(n_vertices + 1, 0);
   find_edges(triangles, boundary);
   find_spokes();
-  label_edges(spanning_forest());
+  const DualForest entry = dual_forest();
+  label_edges(entry, generators(entry));
   step_of_vertex_.assign(n_vertices, kNone);
 }
 
-/// By their smaller end, then by the other.
+/// By their smaller end, then by the other. The edges of a triangle, ab, ac,
+/// bc, come in this order.
 void EssentialLoops::find_edges(std::span<const Triangle> triangles,
                                 std::span<const Seam> boundary) {
   struct Side {
@@ -45,7 +65,7 @@ void EssentialLoops::find_edges(std::span<const Triangle> triangles,
       visit(b, Side{c, f});
     }
   };
-  std::vector<std::size_t> last(begin_.size());
+  std::vector<std::uint32_t> last(begin_.size());
   for_each_side([&](VertexId v, const Side&) { ++last[index(v) + 1]; });
   std::partial_sum(last.begin(), last.end(), last.begin());
   std::vector<Side> sides(3 * triangles.size());
@@ -54,15 +74,15 @@ void EssentialLoops::find_edges(std::span<const Triangle> triangles,
 
   const auto n_triangles = static_cast<std::uint32_t>(triangles.size());
   edges_of_triangle_.assign(n_triangles, {kNone, kNone, kNone});
+  edges_.reserve((sides.size() + boundary.size()) / 2 + 1);
   auto seam = boundary.begin();
   const auto beyond = [&] {
     return n_triangles + (seam == boundary.end() ? 0 : (seam++)->piece);
   };
   std::size_t i = 0;
   for (std::uint32_t v = 0; v + 1 < begin_.size(); ++v) {
-    std::sort(sides.begin() + static_cast<std::ptrdiff_t>(i),
-              sides.begin() + static_cast<std::ptrdiff_t>(last[v]),
-              [](const Side& a, const Side& b) { return a.end < b.end; });
+    sort_few(std::span(sides).subspan(i, last[v] - i),
+             [](const Side& a, const Side& b) { return a.end < b.end; });
     while (i < last[v]) {
       const auto [end, face] = sides[i++];
       const bool is_inner = i < last[v] && sides[i].end == end;
@@ -77,8 +97,8 @@ void EssentialLoops::add_edge(const Edge& edge) {
   const std::size_t n_triangles = edges_of_triangle_.size();
   for (const std::uint32_t f : edge.faces) {
     if (f < n_triangles) {
-      auto& edges = edges_of_triangle_[f];
-      *std::find(edges.begin(), edges.end(), kNone) = e;
+      auto& [ab, ac, bc] = edges_of_triangle_[f];
+      (ab == kNone ? ab : ac == kNone ? ac : bc) = e;
       continue;
     }
     if (f >= n_faces()) edges_of_piece_.resize(f - n_triangles + 1);
@@ -100,99 +120,110 @@ void EssentialLoops::find_spokes() {
   }
 }
 
-/// By edge.
-std::vector<bool> EssentialLoops::spanning_forest() const {
-  std::vector<bool> in_forest(edges_.size());
-  std::vector<bool> is_met(begin_.size() - 1);
-  std::vector<VertexId> queue;
-  for (std::uint32_t root = 0; root < is_met.size(); ++root) {
-    if (is_met[root]) continue;
-    is_met[root] = true;
-    queue = {VertexId{root}};
-    for (std::size_t i = 0; i < queue.size(); ++i)
-      for (const auto& [end, edge] : spokes(queue[i])) {
-        if (is_met[index(end)]) continue;
-        is_met[index(end)] = true;
-        in_forest[edge] = true;
-        queue.push_back(end);
-      }
-  }
-  return in_forest;
-}
-
-EssentialLoops::DualForest EssentialLoops::dual_forest(
-    const std::vector<bool>& in_forest) const {
-  DualForest forest = {std::vector<std::uint32_t>(n_faces(), kNone),
-                       {},
-                       std::vector<bool>(n_faces())};
+/// By face: the edge towards the root, or none.
+EssentialLoops::DualForest EssentialLoops::dual_forest() const {
+  DualForest entry(n_faces(), kUnmet);
   for (std::uint32_t f = 0; f < n_faces(); ++f)
-    grow_dual_tree(f, in_forest, forest);
-  return forest;
+    if (entry[f] == kUnmet) grow_dual_tree(f, entry);
+  return entry;
 }
 
-/// Does nothing if the root is in a tree.
 void EssentialLoops::grow_dual_tree(std::uint32_t root,
-                                    const std::vector<bool>& in_forest,
-                                    DualForest& forest) const {
-  auto& [entries, order, is_met] = forest;
-  if (is_met[root]) return;
-  is_met[root] = true;
-  std::size_t next = order.size();
-  for (order.push_back(root); next < order.size(); ++next)
-    for (const std::uint32_t e : edges_of(order[next])) {
-      const std::uint32_t beyond = across(order[next], e);
-      if (in_forest[e] || is_met[beyond]) continue;
-      is_met[beyond] = true;
-      entries[beyond] = e;
-      order.push_back(beyond);
+                                    DualForest& entry) const {
+  std::vector<std::uint32_t> queue = {root};
+  entry[root] = kNone;
+  for (std::size_t next = 0; next < queue.size(); ++next)
+    for (const std::uint32_t e : edges_of(queue[next])) {
+      const std::uint32_t beyond = across(queue[next], e);
+      if (entry[beyond] != kUnmet) continue;
+      entry[beyond] = e;
+      queue.push_back(beyond);
     }
 }
 
-/// With the ends of each generator's dual edge marked, a dual edge is on the
-/// way between them if an odd number of marks lies beyond it.
-void EssentialLoops::label_edges(const std::vector<bool>& in_forest) {
-  const auto [entry, order, is_met] = dual_forest(in_forest);
-  std::vector<bool> is_generator(in_forest);
-  is_generator.flip();
+/// The edges that the dual forest does not cross are a graph that goes wherever
+/// the surface does. Without its dangling trees few are left of it, and those
+/// in no spanning forest of these are the generators.
+std::vector<std::uint32_t> EssentialLoops::generators(
+    const DualForest& entry) const {
+  std::vector<bool> is_left(edges_.size(), true);
   for (const std::uint32_t e : entry)
-    if (e != kNone) is_generator[e] = false;
-  n_generators_ = static_cast<std::size_t>(
-      std::count(is_generator.begin(), is_generator.end(), true));
-  n_words_ = (n_generators_ + kBits - 1) / kBits;
+    if (e != kNone) is_left[e] = false;
+  prune(is_left);
+  DisjointSets sets(begin_.size() - 1);
+  std::vector<std::uint32_t> result;
+  for (std::uint32_t e = 0; e < edges_.size(); ++e)
+    if (is_left[e] &&
+        !sets.unite(index(edges_[e].ends[0]), index(edges_[e].ends[1])))
+      result.push_back(e);
+  return result;
+}
 
-  label_.assign(edges_.size() * n_words_, 0);
-  std::vector<Word> marks(n_faces() * n_words_);
-  for (std::size_t e = 0, g = 0; e < edges_.size(); ++e) {
-    if (!is_generator[e]) continue;
-    const Word bit = Word{1} << (g % kBits);
-    label_[e * n_words_ + g / kBits] ^= bit;
-    for (const std::uint32_t f : edges_[e].faces)
-      marks[f * n_words_ + g / kBits] ^= bit;
-    ++g;
-  }
-  for (auto f = order.rbegin(); f != order.rend(); ++f) {
-    if (entry[*f] == kNone) continue;
-    const std::uint32_t parent = across(*f, entry[*f]);
-    for (std::size_t w = 0; w < n_words_; ++w) {
-      const Word mark = marks[*f * n_words_ + w];
-      label_[entry[*f] * n_words_ + w] ^= mark;
-      marks[parent * n_words_ + w] ^= mark;
+/// Takes the last edge at a vertex off, as long as there is one. The XOR of the
+/// edges at a vertex tells which it is.
+void EssentialLoops::prune(std::vector<bool>& is_left) const {
+  struct Edges {
+    std::uint32_t count = 0, sum = 0;
+  };
+  std::vector<Edges> at(begin_.size() - 1);
+  const auto toggle = [&](std::uint32_t e, std::uint32_t change) {
+    for (const VertexId v : edges_[e].ends) {
+      at[index(v)].count += change;  // wraps: minus one
+      at[index(v)].sum ^= e;
     }
+  };
+  for (std::uint32_t e = 0; e < edges_.size(); ++e)
+    if (is_left[e]) toggle(e, 1);
+  for (std::size_t start = 0; start < at.size(); ++start)
+    for (std::size_t v = start; at[v].count == 1;) {
+      const std::uint32_t e = at[v].sum;
+      is_left[e] = false;
+      toggle(e, ~0U);
+      const auto& [a, b] = edges_[e].ends;
+      v = index(a) == v ? index(b) : index(a);
+    }
+}
+
+/// The cycle of a generator's dual edge: the ways from its faces to the root.
+/// What both have in common they take back.
+void EssentialLoops::label_edges(const DualForest& entry,
+                                 std::span<const std::uint32_t> generators) {
+  n_generators_ = generators.size();
+  n_words_ = (n_generators_ + kBits - 1) / kBits;
+  row_of_edge_.assign(edges_.size(), kNoLabel);
+  for (std::size_t g = 0; g < n_generators_; ++g) {
+    toggle(generators[g], g);
+    for (const std::uint32_t f : edges_[generators[g]].faces)
+      toggle_way_up(f, entry, g);
   }
 }
 
-bool EssentialLoops::is_labelled(std::uint32_t edge) const {
-  const auto label = std::span(label_).subspan(edge * n_words_, n_words_);
-  return std::any_of(label.begin(), label.end(),
-                     [](Word word) { return word != 0; });
+void EssentialLoops::toggle_way_up(std::uint32_t face, const DualForest& entry,
+                                   std::size_t generator) {
+  for (; entry[face] != kNone; face = across(face, entry[face]))
+    toggle(entry[face], generator);
+}
+
+void EssentialLoops::toggle(std::uint32_t edge, std::size_t generator) {
+  std::uint32_t& row = row_of_edge_[edge];
+  if (row == kNoLabel) {
+    row = static_cast<std::uint32_t>(labelled_.size());
+    labelled_.push_back(edge);
+    label_.resize(label_.size() + n_words_);
+  }
+  label_[row * n_words_ + generator / kBits] ^= Word{1} << (generator % kBits);
 }
 
 /// The smaller ends of labelled edges, ascending.
 std::vector<VertexId> EssentialLoops::labelled_ends() const {
   std::vector<VertexId> result;
-  for (std::uint32_t e = 0; e < edges_.size(); ++e)
-    if (is_labelled(e)) result.push_back(edges_[e].ends[0]);
-  result.erase(std::unique(result.begin(), result.end()), result.end());
+  for (const std::uint32_t e : labelled_) {
+    const auto words = label(e);
+    if (std::any_of(words.begin(), words.end(),
+                    [](Word word) { return word != 0; }))
+      result.push_back(edges_[e].ends[0]);
+  }
+  sort_unique(result);
   return result;
 }
 
@@ -328,8 +359,10 @@ void EssentialLoops::walk(VertexId start, unsigned max_depth) {
       step_of_vertex_[index(end)] = static_cast<std::uint32_t>(steps_.size());
       steps_.push_back({end, i, steps_[i].depth + 1});
       for (std::size_t w = 0; w < n_words_; ++w)
-        label_of_step_.push_back(label_of_step_[i * n_words_ + w] ^
-                                 label_[edge * n_words_ + w]);
+        label_of_step_.push_back(label_of_step_[i * n_words_ + w]);
+      const auto words = label(edge);
+      for (std::size_t w = 0; w < words.size(); ++w)
+        label_of_step_[label_of_step_.size() - n_words_ + w] ^= words[w];
     }
   }
 }
@@ -337,19 +370,22 @@ void EssentialLoops::walk(VertexId start, unsigned max_depth) {
 /// The label of the loop that the edge between two steps closes.
 std::vector<EssentialLoops::Word> EssentialLoops::label_of_loop(
     std::size_t a, std::size_t b, std::uint32_t edge) const {
-  std::vector<Word> label(n_words_);
+  std::vector<Word> result(n_words_);
+  const auto words = label(edge);
   for (std::size_t w = 0; w < n_words_; ++w)
-    label[w] = label_of_step_[a * n_words_ + w] ^
-               label_of_step_[b * n_words_ + w] ^ label_[edge * n_words_ + w];
-  return label;
+    result[w] = label_of_step_[a * n_words_ + w] ^
+                label_of_step_[b * n_words_ + w] ^
+                (words.empty() ? 0 : words[w]);
+  return result;
 }
 
 /// Whether the loop that the edge between two steps closes does not bound.
 bool EssentialLoops::is_essential(std::size_t a, std::size_t b,
                                   std::uint32_t edge) const {
+  const auto words = label(edge);
   for (std::size_t w = 0; w < n_words_; ++w)
-    if ((label_of_step_[a * n_words_ + w] ^ label_of_step_[b * n_words_ + w] ^
-         label_[edge * n_words_ + w]) != 0)
+    if ((label_of_step_[a * n_words_ + w] ^ label_of_step_[b * n_words_ + w]) !=
+        (words.empty() ? 0 : words[w]))
       return true;
   return false;
 }

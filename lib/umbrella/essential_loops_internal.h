@@ -16,8 +16,8 @@ namespace umbrella {
 /// one bit a generator, and a loop of edges bounds some of the triangles, as
 /// every loop of a sphere does, if its labels add up to zero.
 ///
-/// An edge that is in neither a spanning forest of the edges nor one of the
-/// dual edges is a generator [Eppstein03]; its bit is set on the edges that the
+/// An edge that is in neither a spanning forest of the dual edges nor one of
+/// the edges is a generator [Eppstein03]; its bit is set on the edges that the
 /// cycle of its dual edge with the dual forest crosses.
 ///
 /// What lies beyond the boundary is in pieces, each a face of the dual graph,
@@ -72,12 +72,7 @@ class EssentialLoops {
     std::uint32_t from;  // position among the steps
     unsigned depth;
   };
-  struct DualForest {
-    std::vector<std::uint32_t>
-        entry;  // of each face: towards the root, or none
-    std::vector<std::uint32_t> order;  // faces after those that they lead to
-    std::vector<bool> is_met;
-  };
+  using DualForest = std::vector<std::uint32_t>;
   using Word = std::uint64_t;
   struct Loop {
     std::vector<VertexId> vertices;  // ascending
@@ -88,11 +83,21 @@ class EssentialLoops {
                   std::span<const Seam> boundary);
   void add_edge(const Edge& edge);
   void find_spokes();
-  std::vector<bool> spanning_forest() const;
-  DualForest dual_forest(const std::vector<bool>& in_forest) const;
-  void grow_dual_tree(std::uint32_t root, const std::vector<bool>& in_forest,
-                      DualForest& forest) const;
-  void label_edges(const std::vector<bool>& in_forest);
+  DualForest dual_forest() const;
+  void grow_dual_tree(std::uint32_t root, DualForest& entry) const;
+  std::vector<std::uint32_t> generators(const DualForest& entry) const;
+  void prune(std::vector<bool>& is_left) const;
+  void label_edges(const DualForest& entry,
+                   std::span<const std::uint32_t> generators);
+  void toggle(std::uint32_t edge, std::size_t generator);
+  void toggle_way_up(std::uint32_t face, const DualForest& entry,
+                     std::size_t generator);
+  std::span<const Word> label(std::uint32_t edge) const {
+    const std::uint32_t row = row_of_edge_[edge];
+    return row == kNoLabel
+               ? std::span<const Word>()
+               : std::span(label_).subspan(row * n_words_, n_words_);
+  }
   std::uint32_t across(std::uint32_t face, std::uint32_t edge) const {
     const auto& [f, g] = edges_[edge].faces;
     return f == face ? g : f;
@@ -101,7 +106,6 @@ class EssentialLoops {
     return std::span(spokes_).subspan(begin_[index(v)],
                                       begin_[index(v) + 1] - begin_[index(v)]);
   }
-  bool is_labelled(std::uint32_t edge) const;
   std::vector<VertexId> labelled_ends() const;
   std::vector<VertexId> widened(std::span<const VertexId> vertices,
                                 unsigned n_edges) const;
@@ -131,7 +135,11 @@ class EssentialLoops {
   std::vector<std::size_t> begin_;
   std::size_t n_generators_ = 0;
   std::size_t n_words_ = 0;
-  std::vector<Word> label_;  // of edge e: n_words_ from e * n_words_
+  // Few edges have a label: those have rows of n_words_ words.
+  static constexpr std::uint32_t kNoLabel = 0xffff'ffffU;
+  std::vector<std::uint32_t> row_of_edge_;
+  std::vector<std::uint32_t> labelled_;  // by row: the edge
+  std::vector<Word> label_;
 
   // Scratch.
   std::vector<Step> steps_;
