@@ -210,6 +210,32 @@ TEST(Bores, GoThroughAFlange) {
   EXPECT_GE(n_opened, 6U);
 }
 
+/// The lid at the wide end alone has no reason to be there.
+TEST(Bores, GoThroughAStep) {
+  std::mt19937_64 rng(5);
+  std::uniform_real_distribution<double> length(0.2, 0.8);
+  std::size_t n_opened = 0;
+  for (int trial = 0; trial < 20; ++trial) {
+    SCOPED_TRACE(testing::Message() << "trial " << trial);
+    const double h = length(rng);
+    const int n = 12 + static_cast<int>(rng() % 24);
+    Points points;
+    for (const double z : {0.0, h}) add_ring({}, z, 40, points);
+    for (const double z : {0.0, h / 2}) add_ring({.radius = 0.3}, z, n, points);
+    for (const double z : {h / 2, h}) add_ring({.radius = 0.5}, z, n, points);
+    const Points set = placed(points, trial, rng);
+    const Reconstruction before = closed(set, false);
+    const Reconstruction after = closed(set, true);
+    ASSERT_TRUE(before.surface.genus && after.surface.genus);
+    EXPECT_EQ(static_cast<std::size_t>(*after.surface.genus),
+              static_cast<std::size_t>(*before.surface.genus) +
+                  after.closing.bores_opened);
+    EXPECT_LE(*after.surface.genus, 1);
+    n_opened += after.closing.bores_opened;
+  }
+  EXPECT_GE(n_opened, 4U);
+}
+
 struct Solid {
   std::string_view name;
   Points points;
