@@ -35,16 +35,14 @@ void turn_outward(const delaunay::Triangulation3& triangulation,
   }
 }
 
-/// How far the body goes on behind a until b, if they are two ends of a
-/// cylinder.
+/// How far the body goes on behind a until b, if they are two ends of a bore.
 std::optional<double> depth(const FlatLid& a, const FlatLid& b) {
   constexpr double kSlack = FlatLid::kTolerance;
   const Point3 axis = b.center - a.center;
   const double along = -axis.dot(a.normal);
   const bool is_behind = along > 0 && a.normal.dot(b.normal) < 0;
   if (is_behind && a.normal.cross(b.normal).norm() <= kSlack &&
-      axis.cross(a.normal).norm() <= kSlack * (a.radius + along) &&
-      std::abs(a.radius - b.radius) <= kSlack * a.radius)
+      axis.cross(a.normal).norm() <= kSlack * (a.radius + along))
     return along;
   return {};
 }
@@ -55,16 +53,30 @@ bool is_narrow(const FlatLid& lid) {
   return lid.radius < kLeastRadius * lid.spacing;
 }
 
-/// Whether a bore would give most corners of both rims a reason to be there.
-bool explains_rims(const FlatLid& a, const FlatLid& b) {
-  return 2 * (a.n_flat + b.n_flat) > a.rim.size() + b.rim.size();
+/// Of two ends of a bore those that have to go, so that most corners of a rim
+/// have a reason to be there. The ends of a bore with steps differ, and one may
+/// be right; those of one without steps are the same, and judged together.
+std::vector<const FlatLid*> unexplained(const FlatLid& a, const FlatLid& b) {
+  if (std::abs(a.radius - b.radius) <= FlatLid::kTolerance * a.radius) {
+    if (2 * (a.n_flat + b.n_flat) > a.rim.size() + b.rim.size())
+      return {&a, &b};
+    return {};
+  }
+  std::vector<const FlatLid*> result;
+  for (const FlatLid* lid : {&a, &b})
+    if (2 * lid->n_flat > lid->rim.size()) result.push_back(lid);
+  return result;
 }
 
-using LidPair = std::pair<const FlatLid*, const FlatLid*>;
+/// A bore and what is in its way.
+struct Bore {
+  std::vector<VertexId> rims;  // ascending
+  std::vector<const FlatLid*> lids;
+};
 
-/// Each lid with the nearest one behind it.
-std::vector<LidPair> ends_of_bores(std::span<const FlatLid> lids) {
-  std::vector<LidPair> result;
+/// Between each lid and the nearest one behind it.
+std::vector<Bore> lidded_bores(std::span<const FlatLid> lids) {
+  std::vector<Bore> result;
   for (std::size_t i = 0; i < lids.size(); ++i) {
     std::optional<double> least;
     std::size_t nearest = i;
@@ -74,8 +86,10 @@ std::vector<LidPair> ends_of_bores(std::span<const FlatLid> lids) {
       least = along;
       nearest = k;
     }
-    if (nearest > i && explains_rims(lids[i], lids[nearest]))
-      result.emplace_back(&lids[i], &lids[nearest]);
+    if (nearest <= i) continue;
+    const FlatLid &a = lids[i], &b = lids[nearest];
+    Bore bore = {united(a.rim, b.rim), unexplained(a, b)};
+    if (!bore.lids.empty()) result.push_back(std::move(bore));
   }
   return result;
 }
@@ -90,7 +104,7 @@ class Opening {
         groups_(triangulation, {}),
         solver_(triangulation, options, surface, is_open_, groups_) {}
 
-  bool open(const LidPair& ends);
+  bool open(const Bore& bore);
 
  private:
   bool has_all(const FlatLid& lid) const;
@@ -111,18 +125,18 @@ bool Opening::has_all(const FlatLid& lid) const {
 
 /// Tries the rims by themselves, then with one ring of Delaunay edges about
 /// them, then with two.
-bool Opening::open(const LidPair& ends) {
+bool Opening::open(const Bore& bore) {
   constexpr int kRings = 2;
-  const auto& [a, b] = ends;
-  if (!has_all(*a) || !has_all(*b)) return false;
   std::vector<LocatedTriangle> lid_triangles;
-  for (const FlatLid* lid : {a, b})
-    for (const TriangleIndex t : lid->triangles) {
+  for (const FlatLid* lid : bore.lids) {
+    if (!has_all(*lid)) return false;
+    for (const TriangleIndex t : lid->triangles)
       lid_triangles.push_back(surface_.triangle(t));
-      surface_.remove(t);
-    }
+  }
+  for (const FlatLid* lid : bore.lids)
+    for (const TriangleIndex t : lid->triangles) surface_.remove(t);
   Region region;
-  region.vertices = united(a->rim, b->rim);
+  region.vertices = bore.rims;
   for (int ring = 0; ring <= kRings; ++ring) {
     if (solver_.is_stopped()) break;
     if (ring > 0)
@@ -161,15 +175,15 @@ bool Opening::attempt(const Region& region,
 std::size_t open_bores(const delaunay::Triangulation3& triangulation,
                        const ClosingOptions& options, WorkingSurface& surface) {
   std::vector<FlatLid> lids = find_flat_lids(triangulation, surface);
-  std::erase_if(lids, [](const FlatLid& lid) {
-    return lid.n_flat == 0 || is_narrow(lid);
-  });
-  if (lids.size() < 2) return 0;
+  std::erase_if(lids, is_narrow);
+  if (std::none_of(lids.begin(), lids.end(),
+                   [](const FlatLid& lid) { return lid.n_flat > 0; }))
+    return 0;
   turn_outward(triangulation, surface, lids);
   Opening opening(triangulation, options, surface);
   std::size_t n_opened = 0;
-  for (const LidPair& ends : ends_of_bores(lids))
-    n_opened += opening.open(ends) ? 1 : 0;
+  for (const Bore& bore : lidded_bores(lids))
+    n_opened += opening.open(bore) ? 1 : 0;
   return n_opened;
 }
 

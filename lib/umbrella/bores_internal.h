@@ -10,10 +10,10 @@
 
 namespace umbrella {
 
-/// Takes off two flat lids that face each other through the body, if for most
-/// corners of their rims there is no other reason than a bore, and puts a wall
-/// between them, if a program about them has such a solution: a handle more,
-/// with all else as it is.
+/// Takes off the flat lids at two ends of a bore: they lie on one axis and face
+/// each other through the body, and for most corners of a rim there is no other
+/// reason than a bore. A wall is put between them, if a program about them has
+/// such a solution: a handle more, with all else as it is.
 ///
 /// A mesh that a designer has made holds no corner within a flat face. One that
 /// a scan has made holds many, but not on a circle about nothing.

@@ -34,7 +34,7 @@ class LidSearch {
  public:
   LidSearch(const delaunay::Triangulation3& triangulation,
             const WorkingSurface& surface)
-      : triangulation_(triangulation),
+      : points_(triangulation.points()),
         surface_(surface),
         is_met_(surface.n_indices()),
         is_in_lid_(surface.n_indices()),
@@ -43,7 +43,7 @@ class LidSearch {
   std::vector<FlatLid> run();
 
  private:
-  const Point3& point(VertexId v) const { return triangulation_.point(v); }
+  const Point3& point(VertexId v) const { return points_[index(v)]; }
   bool may_be_ear(TriangleIndex t) const;
   bool is_kite(TriangleIndex ear) const;
   Widest widest(TriangleIndex t) const;
@@ -56,7 +56,7 @@ class LidSearch {
   std::vector<VertexId> neighbors(const FlatLid& lid) const;
   void look_about(FlatLid& lid) const;
 
-  const delaunay::Triangulation3& triangulation_;
+  std::span<const Point3> points_;
   const WorkingSurface& surface_;
   std::vector<std::uint8_t> is_met_;  // on the way to a middle
   std::vector<std::uint8_t> is_in_lid_;
@@ -72,10 +72,9 @@ bool LidSearch::may_be_ear(TriangleIndex t) const {
   const double vw = (point(w) - point(v)).squaredNorm();
   const double wu = (point(u) - point(w)).squaredNorm();
   const double cc = std::max(uv, std::max(vw, wu));
-  const double others = uv + vw + wu - cc;
-  if (cc <= others) return false;
+  const double others = uv + vw + wu - cc, excess = cc - others;
   const double aa = std::min(uv, std::min(vw, wu)), bb = others - aa;
-  return (cc - others) * (cc - others) > 1.8 * aa * bb;
+  return excess * std::abs(excess) > 1.8 * aa * bb;  // one branch, not two
 }
 
 /// Whether the ear and the triangle at its longest side may lie in one circle:
