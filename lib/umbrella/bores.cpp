@@ -138,7 +138,7 @@ bool Opening::open(const Bore& bore) {
   Region region;
   region.vertices = bore.rims;
   for (int ring = 0; ring <= kRings; ++ring) {
-    if (solver_.is_stopped()) break;
+    if (solver_.is_over()) break;
     if (ring > 0)
       region.vertices = solver_.neighborhoods().ring(region.vertices);
     if (attempt(region, lid_triangles)) return true;
@@ -163,7 +163,7 @@ bool Opening::attempt(const Region& region,
   if (solved.outcome != Outcome::Solved ||
       solved.chosen.size() !=
           solved.freed.size() + lid_triangles.size() + kTrianglesOfHandle ||
-      solver_.n_pieces_added(solved) != 0)
+      solver_.n_pieces_added(solved, effort) != 0)
     return false;
   for (const TriangleIndex t : solved.freed) surface_.remove(t);
   for (const LocatedTriangle& t : solved.chosen) surface_.add(t);
