@@ -102,12 +102,16 @@ class Opening {
         surface_(surface),
         is_open_(triangulation.points().size()),
         groups_(triangulation, {}),
-        solver_(triangulation, options, surface, is_open_, groups_) {}
+        solver_(triangulation, options, surface, is_open_, groups_),
+        effort_{options.conflicts,
+                options.propagations + options.propagations_per_vertex *
+                                           triangulation.points().size()} {}
 
   bool open(const Bore& bore);
 
  private:
   bool has_all(const FlatLid& lid) const;
+  std::vector<VertexId> ringed(std::span<const VertexId> vertices);
   bool attempt(const Region& region,
                std::span<const LocatedTriangle> lid_triangles);
 
@@ -116,11 +120,20 @@ class Opening {
   std::vector<bool> is_open_;  // none
   PointGroups groups_;
   RegionSolver solver_;
+  Effort effort_;  // for all bores
 };
 
 bool Opening::has_all(const FlatLid& lid) const {
   return std::all_of(lid.triangles.begin(), lid.triangles.end(),
                      [this](TriangleIndex t) { return surface_.contains(t); });
+}
+
+/// With the vertices joined to these; what has been left out stays out, so that
+/// the number of triangles tells that of handles.
+std::vector<VertexId> Opening::ringed(std::span<const VertexId> vertices) {
+  std::vector<VertexId> result = solver_.neighborhoods().ring(vertices);
+  std::erase_if(result, [this](VertexId v) { return !surface_.is_used(v); });
+  return result;
 }
 
 /// Tries the rims by themselves, then with one ring of Delaunay edges about
@@ -138,9 +151,8 @@ bool Opening::open(const Bore& bore) {
   Region region;
   region.vertices = bore.rims;
   for (int ring = 0; ring <= kRings; ++ring) {
-    if (solver_.is_over()) break;
-    if (ring > 0)
-      region.vertices = solver_.neighborhoods().ring(region.vertices);
+    if (effort_.is_spent() || solver_.is_over()) break;
+    if (ring > 0) region.vertices = ringed(region.vertices);
     if (attempt(region, lid_triangles)) return true;
   }
   for (const LocatedTriangle& t : lid_triangles) surface_.add(t);
@@ -157,9 +169,13 @@ bool Opening::attempt(const Region& region,
         lid_triangles.begin(), lid_triangles.end(),
         [&](const LocatedTriangle& l) { return l.corners == t.corners; });
   });
-  Effort effort = {options_.conflicts / 30, options_.propagations};
+  const Effort before = {std::min(effort_.conflicts, options_.conflicts / 30),
+                         std::min(effort_.propagations, options_.propagations)};
+  Effort effort = before;
   const Attempt solved =
       solver_.attempt({region, std::move(candidates)}, effort, {});
+  effort_.charge(before.conflicts - effort.conflicts,
+                 before.propagations - effort.propagations);
   if (solved.outcome != Outcome::Solved ||
       solved.chosen.size() !=
           solved.freed.size() + lid_triangles.size() + kTrianglesOfHandle ||

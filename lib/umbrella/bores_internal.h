@@ -18,7 +18,7 @@ namespace umbrella {
 /// A mesh that a designer has made holds no corner within a flat face. One that
 /// a scan has made holds many, but not on a circle about nothing.
 ///
-/// @param options  each program may take what one region may
+/// @param options  all programs together may take what one region may
 /// @param surface  closed and manifold; changed where a bore was opened
 /// @return how many
 std::size_t open_bores(const delaunay::Triangulation3& triangulation,

@@ -177,7 +177,8 @@ void LidSearch::collect(TriangleIndex middle, FlatLid& lid) {
 
 /// Whether it is a disc with no gap of more than an eighth.
 bool LidSearch::is_closed_round(const FlatLid& lid) const {
-  if (lid.triangles.size() + 2 != lid.rim.size()) return false;
+  if (lid.rim.size() < 8 || lid.triangles.size() + 2 != lid.rim.size())
+    return false;
   const Point3 x = (point(lid.rim[0]) - lid.center).normalized();
   const Point3 y = lid.normal.cross(x);
   std::vector<double> angle;
