@@ -209,11 +209,13 @@ Torn torn(std::vector<LocatedTriangle> surface, int n_places,
   Torn result;
   for (int place = 0; place < n_places; ++place) {
     const VertexId v = surface[rng() % surface.size()].corners[rng() % 3];
-    const bool opens_all = rng() % 4 > 0;
+    const auto mode = rng() % 4;  // 0: only v is open; 1: all but v
     std::erase_if(surface, [&](const LocatedTriangle& t) {
-      if (std::ranges::count(t.corners, v) == 0 || rng() % 4 == 0) return false;
+      if (std::ranges::count(t.corners, v) == 0) return false;
+      if (mode != 1 && rng() % 4 == 0) return false;
       for (const VertexId corner : t.corners)
-        if (opens_all || corner == v) result.open.push_back(corner);
+        if (mode > 1 || (mode == 0) == (corner == v))
+          result.open.push_back(corner);
       return true;
     });
   }

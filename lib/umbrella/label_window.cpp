@@ -1,7 +1,8 @@
-// A way out of the window is a walk through cells towards a point far away,
-// across facets that it is strictly beyond, which never leads in a circle in a
-// Delaunay triangulation [Devillers02]. Every closed triangle on the way says
-// for certain whether the cells at its sides are alike.
+// Walks go through cells towards a point, across facets that it is strictly
+// beyond, which never leads in a circle in a Delaunay triangulation
+// [Devillers02]. A way out of the window is one towards a point far away. Every
+// closed triangle on the way says for certain whether the cells at its sides
+// are alike.
 #include <algorithm>
 #include <array>
 
@@ -51,28 +52,41 @@ std::vector<CellId> LabelWindow::mark_centre(std::span<const VertexId> open) {
   std::vector<std::uint8_t> is_used(marks_.size());
   for (const LocatedTriangle& t : all_kept_)
     for (const VertexId v : t.corners) is_used[index(v)] = 1;
-  std::size_t n_bare = 0;
-  for (std::size_t v = 0; v < marks_.size(); ++v) {
+  for (const VertexId v : open) marks_[index(v)] = Mark::Near;
+  std::vector<CellId> cells;
+  for (std::uint32_t v = 0; v < marks_.size(); ++v) {
     if (is_used[v] != 0) continue;
     marks_[v] = Mark::Near;
-    ++n_bare;
+    cells.push_back(cell_at(VertexId{v}));
   }
-  for (const VertexId v : open) marks_[index(v)] = Mark::Near;
   const auto is_near = [this](VertexId v) {
     return marks_[index(v)] == Mark::Near;
   };
-  std::vector<CellId> cells;
   for (const auto& [corners, facet] : all_kept_)
     if (std::any_of(corners.begin(), corners.end(), is_near))
       cells.push_back(facet.cell());
-  for (std::uint32_t c = 0; n_bare > 0 && c < whole_.n_finite_cells(); ++c)
-    for (const VertexId v : whole_.cell(CellId{c}).vertex) {
-      if (is_used[index(v)] != 0) continue;
-      is_used[index(v)] = 1;
-      cells.push_back(CellId{c});
-      --n_bare;
-    }
   return cells;
+}
+
+/// By a walk from a triangle whose vertices have ids that are near, as they are
+/// in space then. In a flat cell that may not know where to go; then all cells
+/// are looked at.
+CellId LabelWindow::cell_at(VertexId v) const {
+  const auto has_v = [&](CellId c) {
+    const auto& corners = whole_.cell(c).vertex;
+    return std::find(corners.begin(), corners.end(), v) != corners.end();
+  };
+  const auto near = std::lower_bound(
+      all_kept_.begin(), all_kept_.end(), v,
+      [](const LocatedTriangle& t, VertexId u) { return t.corners[0] < u; });
+  CellId at = (near == all_kept_.end() ? all_kept_.back() : *near).facet.cell();
+  while (!has_v(at)) {
+    const auto i = facet_towards(whole_.cell(at), whole_.point(v));
+    if (!i) break;
+    at = whole_.cell(at).neighbor[*i].cell();
+  }
+  for (std::uint32_t c = 0; !has_v(at); ++c) at = CellId{c};
+  return at;
 }
 
 /// All finite cells at the marked vertices, from one at each of them at least;

@@ -21,7 +21,7 @@ class LabelWindow {
  public:
   static constexpr unsigned kRings = 3;
 
-  /// @param kept  by ascending corners; must outlive this object
+  /// @param kept  by ascending corners, not empty; must outlive this object
   /// @param open  ascending
   LabelWindow(const delaunay::Triangulation3& whole,
               std::span<const LocatedTriangle> kept,
@@ -61,6 +61,7 @@ class LabelWindow {
   enum class Mark : std::uint8_t { None, Near, Border };
 
   std::vector<delaunay::CellId> mark_centre(std::span<const VertexId> open);
+  delaunay::CellId cell_at(VertexId v) const;
   bool find_cells(std::vector<delaunay::CellId>& cells);
   void enter(delaunay::CellId c, std::vector<delaunay::CellId>& cells);
   void enter_neighbors(delaunay::CellId c,
