@@ -113,6 +113,15 @@ TEST(Problem, RefusesWhatMakesNoSense) {
             0U);
 }
 
+TEST(Problem, RefusesMoreVariablesThanItCanNumber) {
+  Problem problem = with_variables(3);
+  EXPECT_THROW(problem.add_variables(ilp::kMaxVariables - 2),
+               std::length_error);
+  EXPECT_THROW(problem.add_variables(std::numeric_limits<std::size_t>::max()),
+               std::length_error);
+  EXPECT_EQ(problem.n_variables(), 3U);
+}
+
 // Pairs of x y, of y z and of x z, and of all three.
 TEST(Problem, RefusesRingsWhosePairsHaveOtherVariables) {
   Problem problem = with_variables(4);

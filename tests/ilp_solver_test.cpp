@@ -375,6 +375,97 @@ TEST(Solver, CoreLeavesOutWhatIsElsewhere) {
     EXPECT_EQ(kind, ilp::ConstraintKind::Clause) << i;
 }
 
+Status answer(const Problem& problem) {
+  Solver solver(problem);
+  support::CheckedLog checked(problem);
+  solver.set_log(checked.log());
+  const Status status = solver.solve();
+  EXPECT_EQ(checked.first_flaw(), "");
+  EXPECT_EQ(checked.checker().is_refuted(), status == Status::Infeasible);
+  if (status == Status::Feasible) {
+    EXPECT_EQ(first_violation(problem, solver.model()), "");
+  } else {
+    expect_core(solver.core(), problem, {});
+  }
+  return status;
+}
+
+// What is added to a program, and whether it has a model then.
+struct LeastProgram {
+  void (*add)(Problem&);
+  bool has_model;
+};
+
+constexpr VarId kX{0}, kY{1};
+
+// Without variables.
+const std::vector<LeastProgram> kOfNothing = {
+    {[](Problem&) {}, true},
+    {[](Problem& p) { p.add_pair({}); }, true},
+    {[](Problem& p) { p.add_ring({}); }, false},
+    {[](Problem& p) { p.add_ring({}, true); }, true},
+    {[](Problem& p) { p.add_ring_of_pairs({}); }, false},
+    {[](Problem& p) { p.add_sides({}); }, true},
+    {[](Problem& p) { p.add_clause({}); }, false},
+    {[](Problem& p) { p.add_linear({}, 0); }, true},
+    {[](Problem& p) { p.add_linear({}, -1); }, false}};
+// With two.
+const std::vector<LeastProgram> kOfTwoVariables = {
+    {[](Problem& p) { p.add_pair(std::array{kX}); }, true},
+    {[](Problem& p) {
+       p.add_pair(std::array{kX});
+       p.fix(kX, true);
+     },
+     false},
+    {[](Problem& p) {
+       p.add_ring(std::array{ilp::Spoke{kX, 0, 1}});
+     },
+     false},
+    {[](Problem& p) {
+       p.add_ring(std::array{ilp::Spoke{kX, 0, 1}}, true);
+     },
+     true},
+    {[](Problem& p) {
+       p.add_ring(std::array<ilp::Spoke, 2>{ilp::Spoke{kX, 0, 1}, {kY, 1, 0}});
+     },
+     true},
+    {[](Problem& p) {
+       const Literal x(kX, true);
+       p.add_clause(std::array{x, x, x});
+       p.fix(kX, false);
+     },
+     false},
+    {[](Problem& p) {
+       p.add_clause(std::array{Literal(kX, true), Literal(kX, false)});
+     },
+     true},
+    {[](Problem& p) {
+       p.fix(kX, true);
+       p.fix(kX, true);
+     },
+     true},
+    {[](Problem& p) {
+       p.fix(kX, true);
+       p.fix(kX, false);
+     },
+     false}};
+void expect_answers(const std::vector<LeastProgram>& programs,
+                    std::size_t n_variables) {
+  for (std::size_t i = 0; i < programs.size(); ++i) {
+    SCOPED_TRACE(testing::Message() << "program " << i);
+    Problem problem;
+    problem.add_variables(n_variables);
+    programs[i].add(problem);
+    EXPECT_EQ(answer(problem),
+              programs[i].has_model ? Status::Feasible : Status::Infeasible);
+  }
+}
+
+TEST(Solver, AnswersTheLeastProgramsOfEachKind) {
+  expect_answers(kOfNothing, 0);
+  expect_answers(kOfTwoVariables, 2);
+}
+
 TEST(Solver, RefusesUnknownVariables) {
   Solver solver(pigeons());
   const std::array unknown = {Literal(VarId{42}, true)};

@@ -89,6 +89,18 @@ void add_random_extras(std::mt19937_64& rng, Problem& problem) {
   if (below(rng, 3) == 0) add_random_linear(rng, problem);
 }
 
+// The nodes numbered from 0: they may have been pairs.
+std::vector<Spoke> with_own_nodes(std::span<const Spoke> ring) {
+  std::map<std::uint32_t, std::uint32_t> number;
+  std::vector<Spoke> spokes(ring.begin(), ring.end());
+  for (Spoke& s : spokes)
+    for (std::uint32_t* node : {&s.a, &s.b})
+      *node =
+          number.try_emplace(*node, static_cast<std::uint32_t>(number.size()))
+              .first->second;
+  return spokes;
+}
+
 }  // namespace
 
 Problem surface_program(std::span<const Triangle> triangles,
@@ -223,7 +235,7 @@ Problem part_of(const Problem& problem,
   for (const auto& [kind, i] : constraints) {
     if (kind == ConstraintKind::Pair) part.add_pair(problem.pair(i));
     if (kind == ConstraintKind::Ring)
-      part.add_ring(problem.ring(i), problem.is_optional(i));
+      part.add_ring(with_own_nodes(problem.ring(i)), problem.is_optional(i));
     if (kind == ConstraintKind::Sides) part.add_sides(problem.sides(i));
     if (kind == ConstraintKind::Clause) part.add_clause(problem.clause(i));
     if (kind == ConstraintKind::Linear)
