@@ -55,6 +55,9 @@ struct AttemptOptions {
   std::span<const Piece> allowed = {};
   /// At least so many triangles fewer than there are.
   std::size_t fewer_triangles = 0;
+  /// No candidate of the solution has corners among these and among others;
+  /// ascending.
+  std::span<const VertexId> part = {};
   /// Whether there is a solution most often. If not, the sides are worth their
   /// price at once: without a solution they mostly show that without a search.
   bool is_likely = true;
