@@ -154,5 +154,24 @@ TEST(HandleLoops, GoWithTheHandle) {
   EXPECT_TRUE(search.about(torus.surface(), gone).empty());
 }
 
+/// However short the loops were that all() was asked for.
+TEST(HandleLoops, OfMoreEdgesAreThoseOfTheWholeSurface) {
+  constexpr unsigned kMore = 9;
+  std::size_t n_longer = 0;
+  Surface torus;
+  for (const auto& [a, b] : places()) {
+    torus.toggle(a, b);
+    HandleLoops search(kMaxEdges), longer(kMore);
+    const auto triangles = torus.surface().sorted();
+    const HandleLoops::Loops all = search.all(kSide * kSide, triangles);
+    const HandleLoops::Loops expected = longer.all(kSide * kSide, triangles);
+    search.set_max_edges(kMore);
+    EXPECT_EQ(search.about(torus.surface(), {}), expected);
+    n_longer += expected.size() > all.size() ? 1 : 0;
+    torus.toggle(a, b);
+  }
+  EXPECT_GT(n_longer, 0U);
+}
+
 }  // namespace
 }  // namespace umbrella

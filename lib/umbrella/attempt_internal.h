@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "umbrella/pieces_internal.h"
@@ -33,7 +34,7 @@ struct Attempt {
   bool has_waited = false;           ///< PieceFinder::has_waited, if solved
 };
 
-/// What is left of what the programs of one region may take.
+/// What is left of what some programs may take in all.
 struct Effort {
   std::uint64_t conflicts = 0;
   std::uint64_t propagations = 0;
@@ -42,6 +43,19 @@ struct Effort {
   void charge(std::uint64_t conflicts_taken, std::uint64_t propagations_taken) {
     conflicts -= std::min(conflicts, conflicts_taken);
     propagations -= std::min(propagations, propagations_taken);
+  }
+  /// Lets `use` have so much of it at most, and takes off what it took.
+  /// @return what `use` does
+  template <class Use>
+  auto lend(std::uint64_t most_conflicts, std::uint64_t most_propagations,
+            Use&& use) {
+    const Effort before = {std::min(conflicts, most_conflicts),
+                           std::min(propagations, most_propagations)};
+    Effort lent = before;
+    auto result = std::forward<Use>(use)(lent);
+    charge(before.conflicts - lent.conflicts,
+           before.propagations - lent.propagations);
+    return result;
   }
 };
 
@@ -55,6 +69,9 @@ struct AttemptOptions {
   std::span<const Piece> allowed = {};
   /// At least so many triangles fewer than there are.
   std::size_t fewer_triangles = 0;
+  /// No candidate of the solution has corners among these and among others;
+  /// ascending.
+  std::span<const VertexId> part = {};
   /// Whether there is a solution most often. If not, the sides are worth their
   /// price at once: without a solution they mostly show that without a search.
   bool is_likely = true;

@@ -169,17 +169,14 @@ bool Opening::attempt(const Region& region,
         lid_triangles.begin(), lid_triangles.end(),
         [&](const LocatedTriangle& l) { return l.corners == t.corners; });
   });
-  const Effort before = {std::min(effort_.conflicts, options_.conflicts / 30),
-                         std::min(effort_.propagations, options_.propagations)};
-  Effort effort = before;
-  const Attempt solved =
-      solver_.attempt({region, std::move(candidates)}, effort, {});
-  effort_.charge(before.conflicts - effort.conflicts,
-                 before.propagations - effort.propagations);
+  const Attempt solved = effort_.lend(
+      options_.conflicts / 30, options_.propagations, [&](Effort& lent) {
+        return solver_.attempt({region, std::move(candidates)}, lent, {});
+      });
   if (solved.outcome != Outcome::Solved ||
       solved.chosen.size() !=
           solved.freed.size() + lid_triangles.size() + kTrianglesOfHandle ||
-      solver_.n_pieces_added(solved, effort) != 0)
+      solver_.n_pieces_added(solved, effort_) != 0)
     return false;
   for (const TriangleIndex t : solved.freed) surface_.remove(t);
   for (const LocatedTriangle& t : solved.chosen) surface_.add(t);

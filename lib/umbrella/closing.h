@@ -64,7 +64,8 @@ struct ClosingOptions {
   /// Once the surface is closed, handles that a loop of at most so many edges
   /// goes round are removed where a surface through the same points has none,
   /// if the closing may have made one: not in tubes, which have four such loops
-  /// or more. 0 to keep all.
+  /// or more. Where some are, loops of up to twice as many edges count as well.
+  /// 0 to keep all.
   unsigned handle_edges = 5;
   /// Then flat lids are taken off two ends of a bore if else their rims would
   /// hold points for no reason; see docs/decisions/bores.md.

@@ -162,6 +162,16 @@ void ClosingProgram::demand_fewer(std::size_t n_triangles) {
                                static_cast<std::int64_t>(n_triangles));
 }
 
+void ClosingProgram::set_apart(std::span<const VertexId> part) {
+  for (std::uint32_t i = 0; i < n_candidates_; ++i) {
+    const auto n = std::count_if(
+        members_[i].begin(), members_[i].end(), [&](std::uint32_t node) {
+          return std::binary_search(part.begin(), part.end(), nodes_[node]);
+        });
+    if (n == 1 || n == 2) problem_.fix(ilp::VarId{i}, false);
+  }
+}
+
 std::vector<VertexId> ClosingProgram::vertices_of(const ilp::Core& core) const {
   std::vector<VertexId> result;
   for (const auto& [kind, i] : core.constraints) {

@@ -66,6 +66,10 @@ class ClosingProgram {
   /// Asks for at least so many candidates fewer than are on the surface.
   void demand_fewer(std::size_t n_triangles);
 
+  /// Bars all candidates with corners among these and among others.
+  /// @param part  ascending
+  void set_apart(std::span<const VertexId> part);
+
   const ilp::Problem& problem() const { return problem_; }
   std::size_t n_candidates() const { return n_candidates_; }
   /// Corners of candidates and the region's vertices; ascending.

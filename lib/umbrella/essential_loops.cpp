@@ -252,12 +252,14 @@ bool EssentialLoops::has_loop(unsigned max_edges) {
   });
 }
 
-/// An essential loop has a labelled edge. So if none goes through the smaller
-/// end of one, there is none; and no vertex of a loop is more than half its
-/// length away from such an end.
+/// An essential loop has a labelled edge. So it goes through the smaller end of
+/// one, and no vertex of it is more than half its length away from that end.
 EssentialLoops::Found EssentialLoops::shortest(unsigned max_edges) {
-  const std::vector<VertexId> starts = labelled_ends();
-  if (shortest_through(starts, max_edges).empty()) return {};
+  std::vector<VertexId> starts = labelled_ends();
+  std::erase_if(starts, [&](VertexId v) {
+    return shortest_through(v, max_edges).vertices.empty();
+  });
+  if (starts.empty()) return {};
   return shortest(widened(starts, max_edges / 2), max_edges);
 }
 

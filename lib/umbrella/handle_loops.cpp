@@ -182,10 +182,15 @@ HandleLoops::Loops HandleLoops::all(
   std::vector<Triangle> corners(triangles.size());
   std::transform(triangles.begin(), triangles.end(), corners.begin(),
                  [](const LocatedTriangle& t) { return t.corners; });
-  EssentialLoops loops(n_vertices, corners);
-  EssentialLoops::Found found = loops.shortest(max_edges_);
+  at_first_.emplace(n_vertices, corners);
+  EssentialLoops::Found found = at_first_->shortest(max_edges_);
   on_loops_ = std::move(found.vertices);
   return std::move(found.loops);
+}
+
+void HandleLoops::set_max_edges(unsigned max_edges) {
+  max_edges_ = max_edges;
+  on_loops_ = at_first_->shortest(max_edges).vertices;
 }
 
 /// A loop through a new triangle has all its vertices within half its length of

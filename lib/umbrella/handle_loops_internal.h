@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -23,6 +24,11 @@ class HandleLoops {
   /// Those of EssentialLoops::shortest() of a closed surface.
   Loops all(std::size_t n_vertices, std::span<const LocatedTriangle> triangles);
 
+  /// From now on loops of at most so many edges count. The last call is taken
+  /// to have found those that the surface had when all() looked at it.
+  /// @pre all() has been called
+  void set_max_edges(unsigned max_edges);
+
   /// Of these those that go through vertices of the triangles that have come
   /// since the last call, `changed`, or through vertices of the loops that it
   /// found, of tubes as well.
@@ -30,7 +36,8 @@ class HandleLoops {
 
  private:
   unsigned max_edges_;
-  std::vector<VertexId> on_loops_;  // of the last call; ascending
+  std::optional<EssentialLoops> at_first_;  // of the call of all()
+  std::vector<VertexId> on_loops_;          // of the last call; ascending
 };
 
 }  // namespace umbrella

@@ -28,7 +28,12 @@ struct LocalRepair {
 /// - about each point that is left out, for one through it;
 /// - about each loop of at most options.handle_edges edges that goes round a
 ///   handle and no tube, for one through the same points without: with all
-///   points used, one handle less is four triangles less.
+///   points used, one handle less is four triangles less;
+/// - if that has removed any, about loops of up to twice as many edges, for one
+///   whose two sides are closed apart from each other.
+///
+/// But for loops of three edges, a handle goes only if its worst triangle is as
+/// bad as those that come are on average, by options.weight.
 ///
 /// No point is lost, and components never become more.
 ///

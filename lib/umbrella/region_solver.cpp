@@ -93,6 +93,7 @@ Attempt RegionSolver::attempt(Proposal proposal, Effort& effort,
       {candidates, vertices_of(proposal.region, candidates), how.may_drop},
       numbers_);
   if (how.fewer_triangles > 0) program.demand_fewer(how.fewer_triangles);
+  if (!how.part.empty()) program.set_apart(how.part);
   Work work(std::move(proposal.candidates), std::move(program));
   work.allowed = how.allowed;
   work.effort = {effort.conflicts / 2, effort.propagations / 2};
