@@ -26,9 +26,9 @@ class ConstraintCounts {
   /// All of them, ascending.
   std::vector<ConstraintId> ids() const {
     std::vector<ConstraintId> ids;
-    for (std::uint8_t kind = 0; kind < n_.size(); ++kind)
+    for (std::size_t kind = 0; kind < n_.size(); ++kind)
       for (std::uint32_t i = 0; i < n_[kind]; ++i)
-        ids.push_back({ConstraintKind{kind}, i});
+        ids.push_back({static_cast<ConstraintKind>(kind), i});
     return ids;
   }
 
