@@ -106,7 +106,11 @@ struct Closed {
 
 std::vector<FlatLid> lids_of(const Points& points) {
   const Closed closed_surface(points, closed(points, false));
-  return find_flat_lids(closed_surface.triangulation, closed_surface.surface);
+  std::vector<FlatLid> lids =
+      find_flat_lids(closed_surface.triangulation, closed_surface.surface);
+  const int exponent = closed_surface.triangulation.scale_exponent();
+  for (FlatLid& lid : lids) lid.radius = std::ldexp(lid.radius, exponent);
+  return lids;
 }
 
 TEST(FlatLids, AreTheTwoEndsOfACylinder) {
@@ -176,6 +180,18 @@ TEST(Bores, GoThroughLongTubes) {
   }
   EXPECT_GE(n_lidded, 3U);
   EXPECT_EQ(n_opened, n_lidded);
+}
+
+TEST(Bores, GoThroughBodiesOfAnySize) {
+  const Points points = tube(0.7, 2, 40);
+  const Reconstruction expected = closed(points, true);
+  ASSERT_EQ(expected.closing.bores_opened, 1U);
+  for (const int exponent : {-900, -300, -150, 150, 300, 900}) {
+    SCOPED_TRACE(testing::Message() << "2^" << exponent);
+    Points scaled = points;
+    for (Point3& p : scaled) p *= std::ldexp(1, exponent);
+    EXPECT_EQ(closed(scaled, true).triangles, expected.triangles);
+  }
 }
 
 /// Each on its own, whatever the others do.

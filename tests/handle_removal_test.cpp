@@ -39,5 +39,20 @@ TEST(HandleRemoval, KeepsHandlesOfFewPointsWithGoodTriangles) {
   }
 }
 
+/// Wherever it is up.
+TEST(HandleRemoval, SaysThatTheTimeWasUp) {
+  const auto points =
+      shapes::sample("plate", 1000, {.seed = 20, .noise = 1.5});
+  const Reconstruction whole = reconstruct(points);
+  for (int part = 1; part <= 20; ++part) {
+    SCOPED_TRACE(testing::Message() << "part " << part);
+    ReconstructOptions options;
+    options.closing.seconds = whole.seconds.closing * part / 20;
+    const Reconstruction cut = reconstruct(points, options);
+    EXPECT_TRUE(cut.surface.closed && cut.surface.manifold);
+    EXPECT_TRUE(cut.closing.timed_out || cut.triangles == whole.triangles);
+  }
+}
+
 }  // namespace
 }  // namespace umbrella

@@ -30,7 +30,9 @@ void turn_outward(const delaunay::Triangulation3& triangulation,
   for (FlatLid& lid : lids) {
     const auto& [a, b, c] = oriented.triangles[place[lid.triangles[0]]];
     const auto points = triangulation.points();
-    const Point3 outward = (points[b] - points[a]).cross(points[c] - points[a]);
+    const Point3 u = (points[b] - points[a]).stableNormalized();
+    const Point3 v = (points[c] - points[a]).stableNormalized();
+    const Point3 outward = u.cross(v);
     if (outward.dot(lid.normal) < 0) lid.normal = -lid.normal;
   }
 }

@@ -98,7 +98,7 @@ class Closing {
   std::vector<std::uint32_t> task_of_;  // by vertex, while they are repaired
   std::vector<VertexId> dropped_;
   std::vector<bool> is_undecided_;  // vertices of regions given up at a limit
-  bool is_cut_short_ = false;  // by the clock or the caller, before the repair
+  bool is_cut_short_ = false;  // by the clock or the caller
   ClosingResult result_;
 };
 
@@ -115,6 +115,8 @@ ClosingResult Closing::run(std::span<const Hole> holes) {
     const bool is_labelled = label_cells();
     const bool is_repaired = repair_locally(is_labelled);
     if (options_.open_bores) open_bores(is_labelled || is_repaired);
+    is_cut_short_ = solver_.is_over();
+    result_.report.timed_out |= solver_.seconds_left() <= 0;
   }
   list_dropped(dropped_);
   return std::move(result_);
@@ -391,9 +393,7 @@ bool Closing::label_cells() {
 
 /// @return whether the surface may have changed
 bool Closing::repair_locally(bool is_labelled) {
-  is_cut_short_ = solver_.is_over();
-  result_.report.timed_out |= solver_.seconds_left() <= 0;
-  if (is_cut_short_) return false;
+  if (solver_.is_over()) return false;
   ClosingOptions options = options_;
   options.on_program = {};
   options.seconds = std::max(0.0, solver_.seconds_left());
@@ -413,6 +413,7 @@ bool Closing::repair_locally(bool is_labelled) {
 
 /// @param has_changed  whether the result is no longer the working surface
 void Closing::open_bores(bool has_changed) {
+  if (solver_.is_over()) return;
   if (has_changed) {
     std::vector<RankedTriangle> triangles;
     for (const LocatedTriangle& t : result_.triangles)

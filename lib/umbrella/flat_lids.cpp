@@ -35,6 +35,8 @@ class LidSearch {
   LidSearch(const delaunay::Triangulation3& triangulation,
             const WorkingSurface& surface)
       : points_(triangulation.points()),
+        unit_(std::ldexp(1, std::clamp(-triangulation.scale_exponent(), -1000,
+                                       1000))),
         surface_(surface),
         is_met_(surface.n_indices()),
         is_in_lid_(surface.n_indices()),
@@ -43,7 +45,7 @@ class LidSearch {
   std::vector<FlatLid> run();
 
  private:
-  const Point3& point(VertexId v) const { return points_[index(v)]; }
+  Point3 point(VertexId v) const { return unit_ * points_[index(v)]; }
   bool may_be_ear(TriangleIndex t) const;
   bool is_kite(TriangleIndex ear) const;
   Widest widest(TriangleIndex t) const;
@@ -57,6 +59,7 @@ class LidSearch {
   void look_about(FlatLid& lid) const;
 
   std::span<const Point3> points_;
+  const double unit_;  // a power of two; formulas here go up to degree 8
   const WorkingSurface& surface_;
   std::vector<std::uint8_t> is_met_;  // on the way to a middle
   std::vector<std::uint8_t> is_in_lid_;

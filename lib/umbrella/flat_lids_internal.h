@@ -18,6 +18,8 @@ namespace umbrella {
 struct FlatLid {
   std::vector<TriangleIndex> triangles;
   std::vector<VertexId> rim;  ///< ascending
+  // Lengths are in the unit of Cell::center, in which no product here leaves
+  // the range of doubles.
   Point3 center;
   Point3 normal;  ///< unit, to either side
   double radius = 0;

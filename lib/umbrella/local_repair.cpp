@@ -155,6 +155,7 @@ class Repair {
   Effort effort_;                 // for all that is tried
   std::vector<bool> is_changed_;  // by vertex, since loops were looked for
   Vertices changed_;              // where that is so, perhaps more than once
+  Vertices all_changed_;          // the same since all of it was looked at
   std::set<Vertices> tried_;
   Census at_first_;
   // Of the surface as it is.
@@ -217,7 +218,7 @@ std::size_t Repair::remove_handles(HandleLoops& search, Loops loops) {
   remove_handles(search, std::move(loops), Way::Any);
   if (n_handles() < n_before && may_go_on()) {
     search.set_max_edges(kLonger * options_.handle_edges);
-    remove_handles(search, search.about(surface_, changed_), Way::Cut);
+    remove_handles(search, search.about(surface_, all_changed_), Way::Cut);
   }
   return n_before - n_handles();
 }
@@ -379,6 +380,7 @@ void Repair::accept(const Attempt& solved) {
   for (const VertexId v : solved.vertices) {
     is_changed_[index(v)] = true;
     changed_.push_back(v);
+    all_changed_.push_back(v);
   }
   n_triangles_ += solved.chosen.size() - solved.freed.size();
   std::erase_if(left_out_, [this](VertexId v) { return surface_.is_used(v); });
