@@ -59,6 +59,9 @@ struct Effort {
   }
 };
 
+/// V - E + F = V - F / 2 is 2 for each component less 2 for each handle.
+inline constexpr std::size_t kTrianglesOfHandle = 4;
+
 struct AttemptOptions {
   /// Vertices that may stay bare; ascending.
   std::span<const VertexId> may_drop = {};

@@ -15,6 +15,8 @@ namespace umbrella {
 namespace {
 
 constexpr std::size_t kMostVertices = 300;
+/// Of the surface, about a loop.
+constexpr int kRings = 2;
 /// At most so many times options.handle_edges edges have loops at which handles
 /// are cut. On 26 sets to choose by, 8 edges bring none right that 5 do not, 10
 /// one, and 12 lose that again: then it passes for a tube.
@@ -29,9 +31,6 @@ ClosingOptions with_small_pieces(ClosingOptions options,
   options.piece_part = options.joined_part = 0;
   return options;
 }
-
-/// V - E + F = V - F / 2 is 2 for each component less 2 for each handle.
-constexpr std::size_t kTrianglesOfHandle = 4;
 
 std::vector<RankedTriangle> with_ranks(
     std::span<const LocatedTriangle> triangles) {
@@ -101,7 +100,8 @@ class Repair {
         groups_(triangulation, triangles),
         solver_(triangulation, local_options_, surface_, is_open_, groups_),
         badness_(triangulation, options.weight),
-        effort_{2 * (options.conflicts / 3),
+        most_conflicts_(options.conflicts / 30),
+        effort_{options.conflicts,
                 2 * (options.propagations + options.propagations_per_vertex *
                                                 triangulation.points().size())},
         is_changed_(triangulation.points().size()),
@@ -128,13 +128,16 @@ class Repair {
   bool remove_some_handles(const Loops& loops, Way way);
   bool remove_handle_at(const Vertices& loop);
   bool cut_handle_at(const Vertices& loop);
+  Outcome take_fewer_triangles(const Vertices& loop, const Region& region,
+                               std::uint64_t most_conflicts);
+  bool cut(const Vertices& loop, const Region& region);
   std::vector<Vertices> parts_without(const Vertices& loop,
                                       const Vertices& vertices) const;
-  bool is_no_worse(const Attempt& solved) const;
+  bool may_replace(const Attempt& solved, double share_of_worst) const;
   bool attempt(const Region& region, const AttemptOptions& how,
                std::size_t most_components);
-  std::optional<Attempt> solution(const Region& region,
-                                  const AttemptOptions& how);
+  Attempt solution(const Region& region, const AttemptOptions& how,
+                   std::uint64_t most_conflicts);
   bool take(const Attempt& solved, std::size_t most_components);
   Vertices ringed(std::span<const VertexId> vertices) const;
   std::size_t n_handles() const {
@@ -152,6 +155,7 @@ class Repair {
   PointGroups groups_;
   RegionSolver solver_;
   Badness badness_;
+  std::uint64_t most_conflicts_;  // lent to a program
   Effort effort_;                 // for all that is tried
   std::vector<bool> is_changed_;  // by vertex, since loops were looked for
   Vertices changed_;              // where that is so, perhaps more than once
@@ -188,12 +192,12 @@ std::size_t Repair::join_pieces() {
 
 /// @return how many points came to the surface
 std::size_t Repair::bring_in() {
-  constexpr int kRings = 3;
+  constexpr int kMostRings = 3;
   const Vertices missing = left_out_;
   for (const VertexId v : missing) {
     Region region;
     region.vertices = {v};
-    for (int ring = 0; ring < kRings && !surface_.is_used(v) && !is_over();
+    for (int ring = 0; ring < kMostRings && !surface_.is_used(v) && !is_over();
          ++ring) {
       region.vertices = solver_.neighborhoods().ring(region.vertices);
       Vertices others = region.vertices;
@@ -248,18 +252,44 @@ bool Repair::remove_some_handles(const Loops& loops, Way way) {
 }
 
 /// Tries the vertices of the loop with one ring of the surface, then with two.
-/// Three points are no section of a tube, so nothing is asked of their handle.
+/// Whether a handle can go at all mostly shows within a few conflicts; where it
+/// does not, a cut tells sooner than a longer search.
 bool Repair::remove_handle_at(const Vertices& loop) {
-  constexpr int kRings = 2;
+  constexpr std::uint64_t kFewConflicts = 60;
   Region region;
   region.vertices = loop;
   for (int ring = 0; ring < kRings; ++ring) {
     region.vertices = ringed(region.vertices);
-    const auto solved = solution(
-        region, {.fewer_triangles = kTrianglesOfHandle, .is_likely = false});
-    if (solved && (loop.size() == 3 || is_no_worse(*solved)) &&
-        take(*solved, n_components_))
-      return true;
+    Outcome outcome = take_fewer_triangles(loop, region, kFewConflicts);
+    if (outcome == Outcome::Undecided) {
+      if (cut(loop, region)) return true;
+      outcome = take_fewer_triangles(loop, region, most_conflicts_);
+    }
+    if (outcome == Outcome::Solved) return true;
+  }
+  return false;
+}
+
+/// Takes the surface that has a handle less, if there is one near the loop.
+/// Three points are no section of a tube, so nothing is asked of their handle.
+/// @return Infeasible if there is none, or the triangles speak for the handle
+Outcome Repair::take_fewer_triangles(const Vertices& loop, const Region& region,
+                                     std::uint64_t most_conflicts) {
+  const Attempt solved = solution(
+      region, {.fewer_triangles = kTrianglesOfHandle, .is_likely = false},
+      most_conflicts);
+  if (solved.outcome != Outcome::Solved) return solved.outcome;
+  const bool is_taken = (loop.size() == 3 || may_replace(solved, 0)) &&
+                        take(solved, n_components_);
+  return is_taken ? Outcome::Solved : Outcome::Infeasible;
+}
+
+bool Repair::cut_handle_at(const Vertices& loop) {
+  Region region;
+  region.vertices = loop;
+  for (int ring = 0; ring < kRings; ++ring) {
+    region.vertices = ringed(region.vertices);
+    if (cut(loop, region)) return true;
   }
   return false;
 }
@@ -267,22 +297,19 @@ bool Repair::remove_handle_at(const Vertices& loop) {
 /// Parts the two sides of the loop, which goes with one of them: no triangle
 /// joins them near the loop, so that each is closed by itself. That is shown to
 /// be possible, or not to be, much sooner than that there is a surface with
-/// fewer triangles.
-bool Repair::cut_handle_at(const Vertices& loop) {
-  constexpr int kRings = 2;
-  Region region;
-  region.vertices = loop;
-  for (int ring = 0; ring < kRings; ++ring) {
-    region.vertices = ringed(region.vertices);
-    const std::vector<Vertices> parts = parts_without(loop, region.vertices);
-    if (parts.size() < 2) return false;
-    for (const Vertices& part : parts) {
-      const auto solved = solution(region, {.part = part, .is_likely = false});
-      if (solved &&
-          solved->chosen.size() + kTrianglesOfHandle <= solved->freed.size() &&
-          is_no_worse(*solved) && take(*solved, n_components_))
-        return true;
-    }
+/// fewer triangles. What comes is not the best of all, so more is asked of a
+/// short loop, which a small handle that is meant has as well.
+bool Repair::cut(const Vertices& loop, const Region& region) {
+  const std::vector<Vertices> parts = parts_without(loop, region.vertices);
+  if (parts.size() < 2) return false;
+  const double share_of_worst = loop.size() > options_.handle_edges ? 0 : 0.5;
+  for (const Vertices& part : parts) {
+    const Attempt solved =
+        solution(region, {.part = part, .is_likely = false}, most_conflicts_);
+    if (solved.outcome == Outcome::Solved &&
+        solved.chosen.size() + kTrianglesOfHandle <= solved.freed.size() &&
+        may_replace(solved, share_of_worst) && take(solved, n_components_))
+      return true;
   }
   return false;
 }
@@ -314,42 +341,47 @@ std::vector<std::vector<VertexId>> Repair::parts_without(
 /// would go is as bad as those are, on average, that would come. All triangles
 /// of a surface that is sampled well are good, and those that close a tube of
 /// it are bad.
-bool Repair::is_no_worse(const Attempt& solved) const {
+///
+/// @param share_of_worst  in what is asked for, instead of the average
+bool Repair::may_replace(const Attempt& solved, double share_of_worst) const {
   std::vector<Triangle> before, after;
   for (const TriangleIndex t : solved.freed)
     before.push_back(surface_.corners(t));
   for (const LocatedTriangle& t : solved.chosen) after.push_back(t.corners);
   std::sort(before.begin(), before.end());
   std::sort(after.begin(), after.end());
-  double worst = badness_.least(), sum = 0;
+  double going = badness_.least(), worst = badness_.least(), sum = 0;
   std::size_t n_coming = 0;
   for (const TriangleIndex i : solved.freed) {
     const auto& [t, facet] = surface_.triangle(i);
     if (!std::binary_search(after.begin(), after.end(), t))
-      worst = std::max(worst, badness_(t, facet));
+      going = std::max(going, badness_(t, facet));
   }
   for (const auto& [t, facet] : solved.chosen) {
     if (std::binary_search(before.begin(), before.end(), t)) continue;
-    sum += badness_(t, facet);
+    const double coming = badness_(t, facet);
+    worst = std::max(worst, coming);
+    sum += coming;
     ++n_coming;
   }
-  return worst * static_cast<double>(n_coming) >= sum;
+  if (n_coming == 0) return true;
+  const double mean = sum / static_cast<double>(n_coming);
+  return going >= mean + share_of_worst * (worst - mean);
 }
 
 /// Takes the surface that solves the region's program, if it has one.
 bool Repair::attempt(const Region& region, const AttemptOptions& how,
                      std::size_t most_components) {
-  const auto solved = solution(region, how);
-  return solved && take(*solved, most_components);
+  const Attempt solved = solution(region, how, most_conflicts_);
+  return solved.outcome == Outcome::Solved && take(solved, most_components);
 }
 
-std::optional<Attempt> Repair::solution(const Region& region,
-                                        const AttemptOptions& how) {
-  Attempt attempt = effort_.lend(
-      options_.conflicts / 30, options_.propagations,
-      [&](Effort& lent) { return solver_.attempt(region, lent, how); });
-  if (attempt.outcome != Outcome::Solved) return {};
-  return attempt;
+/// What its program gives, with conflicts from the effort of all.
+Attempt Repair::solution(const Region& region, const AttemptOptions& how,
+                         std::uint64_t most_conflicts) {
+  return effort_.lend(most_conflicts, options_.propagations, [&](Effort& lent) {
+    return solver_.attempt(region, lent, how);
+  });
 }
 
 /// Unless the surface would have too many components.
