@@ -334,7 +334,7 @@ TEST(Bores, LeaveASurfaceWithoutLidsAlone) {
   const Reconstruction opened = closed(points, true);
   Closed again(points, opened);
   const std::size_t n_indices = again.surface.n_indices();
-  EXPECT_EQ(open_bores(again.triangulation, {}, again.surface), 0U);
+  EXPECT_EQ(open_bores(again.triangulation, {}, again.surface).count, 0U);
   EXPECT_EQ(again.surface.n_indices(), n_indices);
 }
 

@@ -191,8 +191,8 @@ Points in_balls_on_a_sphere(Rng& rng, std::size_t n) {
 }
 
 /// Of a region, twice, the second time for leaving points out; and of the local
-/// repair, which may take as much as two. The last program of each may take
-/// what it costs to make it too much.
+/// repair, which may take as much as two, and the bores, as much as one. The
+/// last program of each may take what it costs to make it too much.
 std::uint64_t most_propagations(const ReconstructOptions& options,
                                 const Reconstruction& result) {
   constexpr std::uint64_t kForMaking = 6;
@@ -203,7 +203,7 @@ std::uint64_t most_propagations(const ReconstructOptions& options,
   const std::uint64_t repair =
       closing.propagations +
       closing.propagations_per_vertex * result.surface.vertices;
-  return 2 * once + 2 * repair + 2 * kForMaking * result.closing.variables;
+  return 2 * once + 3 * repair + 2 * kForMaking * result.closing.variables;
 }
 
 // Whatever the points are, and however hard. There is so little effort that all

@@ -1,8 +1,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
+#include <cstddef>
 #include <optional>
+#include <set>
 #include <span>
 #include <utility>
 #include <vector>
@@ -14,8 +15,6 @@
 
 namespace umbrella {
 namespace {
-
-constexpr std::size_t kTrianglesOfHandle = 4;
 
 /// Turns the normals of the lids outward.
 void turn_outward(const delaunay::Triangulation3& triangulation,
@@ -76,9 +75,10 @@ struct Bore {
   std::vector<const FlatLid*> lids;
 };
 
-/// Between each lid and the nearest one behind it.
-std::vector<Bore> lidded_bores(std::span<const FlatLid> lids) {
-  std::vector<Bore> result;
+/// Each lid with the nearest one behind it: first < second.
+std::set<std::pair<std::size_t, std::size_t>> facing_pairs(
+    std::span<const FlatLid> lids) {
+  std::set<std::pair<std::size_t, std::size_t>> result;
   for (std::size_t i = 0; i < lids.size(); ++i) {
     std::optional<double> least;
     std::size_t nearest = i;
@@ -88,8 +88,15 @@ std::vector<Bore> lidded_bores(std::span<const FlatLid> lids) {
       least = along;
       nearest = k;
     }
-    if (nearest <= i) continue;
-    const FlatLid &a = lids[i], &b = lids[nearest];
+    if (least) result.insert(std::minmax(i, nearest));
+  }
+  return result;
+}
+
+std::vector<Bore> lidded_bores(std::span<const FlatLid> lids) {
+  std::vector<Bore> result;
+  for (const auto& [first, second] : facing_pairs(lids)) {
+    const FlatLid &a = lids[first], &b = lids[second];
     Bore bore = {united(a.rim, b.rim), unexplained(a, b)};
     if (!bore.lids.empty()) result.push_back(std::move(bore));
   }
@@ -110,6 +117,7 @@ class Opening {
                                            triangulation.points().size()} {}
 
   bool open(const Bore& bore);
+  std::uint64_t propagations() const { return solver_.propagations(); }
 
  private:
   bool has_all(const FlatLid& lid) const;
@@ -157,7 +165,8 @@ bool Opening::open(const Bore& bore) {
     if (ring > 0) region.vertices = ringed(region.vertices);
     if (attempt(region, lid_triangles)) return true;
   }
-  for (const LocatedTriangle& t : lid_triangles) surface_.add(t);
+  for (const FlatLid* lid : bore.lids)
+    for (const TriangleIndex t : lid->triangles) surface_.put_back(t);
   return false;
 }
 
@@ -187,19 +196,20 @@ bool Opening::attempt(const Region& region,
 
 }  // namespace
 
-std::size_t open_bores(const delaunay::Triangulation3& triangulation,
+OpenedBores open_bores(const delaunay::Triangulation3& triangulation,
                        const ClosingOptions& options, WorkingSurface& surface) {
   std::vector<FlatLid> lids = find_flat_lids(triangulation, surface);
   std::erase_if(lids, is_narrow);
   if (std::none_of(lids.begin(), lids.end(),
                    [](const FlatLid& lid) { return lid.n_flat > 0; }))
-    return 0;
+    return {};
   turn_outward(triangulation, surface, lids);
   Opening opening(triangulation, options, surface);
-  std::size_t n_opened = 0;
+  OpenedBores result;
   for (const Bore& bore : lidded_bores(lids))
-    n_opened += opening.open(bore) ? 1 : 0;
-  return n_opened;
+    result.count += opening.open(bore) ? 1 : 0;
+  result.propagations = opening.propagations();
+  return result;
 }
 
 }  // namespace umbrella

@@ -3,12 +3,18 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 #include "delaunay/triangulation3.h"
 #include "umbrella/closing.h"
 #include "umbrella/working_surface_internal.h"
 
 namespace umbrella {
+
+struct OpenedBores {
+  std::size_t count = 0;
+  std::uint64_t propagations = 0;  ///< all that was taken off the effort
+};
 
 /// Takes off the flat lids at two ends of a bore: they lie on one axis and face
 /// each other through the body, and for most corners of a rim there is no other
@@ -20,8 +26,7 @@ namespace umbrella {
 ///
 /// @param options  all programs together may take what one region may
 /// @param surface  closed and manifold; changed where a bore was opened
-/// @return how many
-std::size_t open_bores(const delaunay::Triangulation3& triangulation,
+OpenedBores open_bores(const delaunay::Triangulation3& triangulation,
                        const ClosingOptions& options, WorkingSurface& surface);
 
 }  // namespace umbrella

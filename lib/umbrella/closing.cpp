@@ -98,7 +98,7 @@ class Closing {
   std::vector<std::uint32_t> task_of_;  // by vertex, while they are repaired
   std::vector<VertexId> dropped_;
   std::vector<bool> is_undecided_;  // vertices of regions given up at a limit
-  bool is_cut_short_ = false;  // by the clock or the caller
+  bool is_cut_short_ = false;       // by the clock or the caller
   ClosingResult result_;
 };
 
@@ -414,17 +414,17 @@ bool Closing::repair_locally(bool is_labelled) {
 /// @param has_changed  whether the result is no longer the working surface
 void Closing::open_bores(bool has_changed) {
   if (solver_.is_over()) return;
-  if (has_changed) {
-    std::vector<RankedTriangle> triangles;
-    for (const LocatedTriangle& t : result_.triangles)
-      triangles.push_back({t.corners, t.facet, {}});
-    surface_ = WorkingSurface(surface_.n_vertices(), triangles);
-  }
+  if (has_changed)
+    surface_ =
+        WorkingSurface(surface_.n_vertices(),
+                       std::span<const LocatedTriangle>(result_.triangles));
   ClosingOptions options = options_;
   options.on_program = {};
   options.seconds = std::max(0.0, solver_.seconds_left());
-  result_.report.bores_opened =
+  const OpenedBores opened =
       umbrella::open_bores(triangulation_, options, surface_);
+  result_.report.bores_opened = opened.count;
+  result_.report.propagations += opened.propagations;
   if (result_.report.bores_opened > 0) result_.triangles = surface_.sorted();
 }
 

@@ -104,8 +104,8 @@ struct ClosingReport {
   std::size_t handles_removed = 0;
   std::size_t bores_opened = 0;
   std::uint64_t conflicts = 0;
-  /// All that was taken off efforts, that of the local repair included; what
-  /// making a program costs counts for some.
+  /// All that was taken off efforts, those of the local repair and the bores
+  /// included; what making a program costs counts for some.
   std::uint64_t propagations = 0;
   bool timed_out = false;  ///< the wall clock cut a search short
 };

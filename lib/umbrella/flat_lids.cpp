@@ -35,8 +35,8 @@ class LidSearch {
   LidSearch(const delaunay::Triangulation3& triangulation,
             const WorkingSurface& surface)
       : points_(triangulation.points()),
-        unit_(std::ldexp(1, std::clamp(-triangulation.scale_exponent(), -1000,
-                                       1000))),
+        unit_(std::ldexp(
+            1, std::clamp(-triangulation.scale_exponent(), -1000, 1000))),
         surface_(surface),
         is_met_(surface.n_indices()),
         is_in_lid_(surface.n_indices()),

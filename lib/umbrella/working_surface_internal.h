@@ -21,16 +21,10 @@ class WorkingSurface {
  public:
   WorkingSurface(std::size_t n_vertices,
                  std::span<const RankedTriangle> triangles)
-      : n_given_(triangles.size()),
-        triangles_(triangles.size()),
-        is_there_(triangles.size(), 1),
-        head_(n_vertices, kEnd),
-        next_(3 * triangles.size()) {
-    for (TriangleIndex t = 0; t < n_given_; ++t) {
-      triangles_[t] = {triangles[t].corners, triangles[t].facet};
-      link(t);
-    }
-  }
+      : WorkingSurface(n_vertices, triangles.begin(), triangles.end()) {}
+  WorkingSurface(std::size_t n_vertices,
+                 std::span<const LocatedTriangle> triangles)
+      : WorkingSurface(n_vertices, triangles.begin(), triangles.end()) {}
 
   std::size_t n_vertices() const { return head_.size(); }
   /// Indices of triangles are below it.
@@ -51,6 +45,8 @@ class WorkingSurface {
     link(t);
   }
   void remove(TriangleIndex t) { is_there_[t] = 0; }
+  /// @pre t was removed, and its triangle has not been added since
+  void put_back(TriangleIndex t) { is_there_[t] = 1; }
 
   /// Calls visit(TriangleIndex) for each triangle at v, in an order that
   /// depends on the calls made so far.
@@ -101,6 +97,19 @@ class WorkingSurface {
   }
 
  private:
+  template <class Iterator>
+  WorkingSurface(std::size_t n_vertices, Iterator first, Iterator last)
+      : n_given_(static_cast<std::size_t>(last - first)),
+        triangles_(n_given_),
+        is_there_(n_given_, 1),
+        head_(n_vertices, kEnd),
+        next_(3 * n_given_) {
+    for (TriangleIndex t = 0; t < n_given_; ++t, ++first) {
+      triangles_[t] = {first->corners, first->facet};
+      link(t);
+    }
+  }
+
   /// At each of its corners.
   void link(TriangleIndex t) {
     for (std::uint32_t i = 0; i < 3; ++i)
