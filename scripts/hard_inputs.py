@@ -272,7 +272,7 @@ def reconstruct(umbrella, points, extra, timeout):
 
 def row_of(name, n, report, seconds):
     if report is None:
-        return [name, str(n), "timeout"] + [""] * 6
+        return [name, str(n), "none"] + [""] * 6
     surface = report["surface"]
     is_sound = surface["closed"] and surface["manifold"]
     points = report["input"]["points"] - report["input"]["duplicates"]

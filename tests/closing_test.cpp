@@ -221,6 +221,18 @@ TEST(CloseHoles, MakesNoProgramOnceItIsToEnd) {
   }
 }
 
+// Wherever in the only attempt at the only region it is up.
+TEST(CloseHoles, SaysThatTheTimeWasUp) {
+  const Input input(shapes::sample("uniform", 3000, {}));
+  for (int part = 1; part <= 30; ++part) {
+    SCOPED_TRACE(testing::Message() << "part " << part);
+    const ClosingReport report =
+        input.close({.mode = CloseMode::Paper, .seconds = 1e-3 * part}).report;
+    ASSERT_EQ(report.regions, 1U);
+    EXPECT_TRUE(report.timed_out || report.undecided == 0);
+  }
+}
+
 TEST(CloseHoles, StaysOpenAtItsLimitsWhereNoPointMayBeLeftOut) {
   Input input(shapes::sample("torus", 800, {}));
   input.damage(25, 9);

@@ -41,8 +41,7 @@ TEST(HandleRemoval, KeepsHandlesOfFewPointsWithGoodTriangles) {
 
 /// Wherever it is up.
 TEST(HandleRemoval, SaysThatTheTimeWasUp) {
-  const auto points =
-      shapes::sample("plate", 1000, {.seed = 20, .noise = 1.5});
+  const auto points = shapes::sample("plate", 1000, {.seed = 20, .noise = 1.5});
   const Reconstruction whole = reconstruct(points);
   for (int part = 1; part <= 20; ++part) {
     SCOPED_TRACE(testing::Message() << "part " << part);

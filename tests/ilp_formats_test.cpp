@@ -231,7 +231,6 @@ TEST(ReadOpb, SaysWhereAFileIsWrong) {
   }
 }
 
-// Whatever the bytes, the reader ends with a program or with one line.
 // The rest of the text may lie behind it in memory.
 TEST(ReadOpb, LooksNoFurtherThanItsText) {
   const auto outcome = [](std::string_view text) -> std::string {
@@ -252,6 +251,7 @@ TEST(ReadOpb, LooksNoFurtherThanItsText) {
   }
 }
 
+// Whatever the bytes, the reader ends with a program or with one line.
 TEST(ReadOpb, WithstandsMutation) {
   const std::string sound = opb(linear_form(support::torus_hole(3, 1, 1)));
   std::mt19937_64 rng(1);

@@ -45,7 +45,7 @@ void expect_all_triangles(const std::vector<Point3>& points) {
   std::mt19937_64 rng(1);
   const std::size_t n = points.size();
   const Triangulation3 triangulation(points);
-  const WorkingSurface surface(n, {});
+  const WorkingSurface surface(n);
   Neighborhoods neighborhoods(triangulation, surface);
   for (int trial = 0; trial < 60; ++trial) {
     SCOPED_TRACE(testing::Message() << "trial " << trial);
@@ -86,7 +86,7 @@ TEST(Neighborhoods, ReachOneEdgeFar) {
   std::mt19937_64 rng(2);
   const Triangulation3 triangulation(
       tests::make_points<3>(Family::Uniform, 200, 2));
-  const WorkingSurface surface(200, {});
+  const WorkingSurface surface(200);
   Neighborhoods neighborhoods(triangulation, surface);
   for (const std::size_t n_wanted : {0U, 1U, 2U, 10U, 200U}) {
     SCOPED_TRACE(testing::Message() << n_wanted << " vertices");

@@ -107,7 +107,7 @@ TEST(CellSet, KnowsWhereEachCellIs) {
     points.emplace_back(x, y, z);
   }
   const Triangulation3 triangulation(points);
-  const WorkingSurface surface(points.size(), {});
+  const WorkingSurface surface(points.size());
   CellSet set(triangulation, surface);
   for (const std::size_t n_wanted : {200U, 1U, 20U}) {
     set.collect(some_vertices(points.size(), n_wanted, rng));

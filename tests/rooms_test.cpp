@@ -74,7 +74,7 @@ class Setting {
  private:
   explicit Setting(const std::vector<Point3>& points)
       : triangulation_(points),
-        working_(triangulation_.points().size(), {}),
+        working_(triangulation_.points().size()),
         neighborhoods_(triangulation_, working_) {
     const auto faces = reconstruct(points).triangles;
     for (const RankedTriangle& t :

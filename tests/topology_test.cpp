@@ -217,8 +217,8 @@ TEST(Topology, LosesHandlesThatTheSamplingDoesNotMean) {
   EXPECT_GT(n_removed, 0U);
 }
 
-/// A plate with noise as large as it is thick is all handles. Some take a second
-/// ring about their loop.
+/// A plate with noise as large as it is thick is all handles. Some take a
+/// second ring about their loop.
 TEST(Topology, LosesHandlesWithoutFallingApart) {
   for (const std::uint64_t seed : {1, 2}) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);

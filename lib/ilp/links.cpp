@@ -9,14 +9,14 @@ namespace {
 constexpr std::uint32_t kNone = 0xffff'ffffU;
 
 // What is known of a set of variables by adding them up.
-struct VarSum {
+struct Fingerprint {
   std::uint32_t n = 0;
   std::uint32_t bits = 0;  // the XOR of their numbers
   void add(VarId v) {
     ++n;
     bits ^= static_cast<std::uint32_t>(v);
   }
-  friend bool operator==(VarSum, VarSum) = default;
+  friend bool operator==(Fingerprint, Fingerprint) = default;
 };
 
 Rows<std::uint32_t> pairs_of_variables(const Problem& problem,
@@ -47,14 +47,14 @@ class Linker {
 
  private:
   struct Node {
-    VarSum sum;
+    Fingerprint sum;
     VarId any{};  // one of its variables
     std::uint32_t pair = kNone;
     const VarId* next = nullptr;  // variable of the pair to compare
   };
 
   void add_up(std::size_t pair) {
-    VarSum sum;
+    Fingerprint sum;
     for (const VarId v : links_.pairs[pair]) sum.add(v);
     sums_.push_back(sum);
   }
@@ -133,7 +133,7 @@ class Linker {
 
   const Problem& problem_;
   Links links_;
-  std::vector<VarSum> sums_;         // of each pair
+  std::vector<Fingerprint> sums_;    // of each pair
   std::vector<std::uint32_t> mark_;  // last search whose node has the variable
   std::uint32_t n_searches_ = 0;
   std::vector<Node> nodes_;  // of a ring

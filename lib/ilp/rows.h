@@ -2,7 +2,6 @@
 /// Rows of different lengths in one flat array.
 #pragma once
 
-#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <limits>

@@ -80,7 +80,7 @@ class Solver {
   /// @return the linear constraint that says so; a call with the same terms as
   ///   the call before tightens it
   /// @throws std::invalid_argument  as Problem::add_linear()
-  /// @pre the last call was a solve() that returned Feasible
+  /// @pre the last solve() or solve_assumed() returned Feasible
   ConstraintId require_better(std::span<const Term> sum);
 
   /// Looks for a model in which the assumptions hold. What was learned serves
@@ -90,19 +90,20 @@ class Solver {
   Status solve(std::span<const Literal> assumptions = {},
                const Limits& limits = {});
 
-  /// One assumption more after those of the last solve().
+  /// One assumption more after those of the last call.
   /// @throws std::invalid_argument  unknown variable
   void assume(Literal l);
   /// Takes the last one back. @pre there is one
   void retract();
   /// Like solve(), under these. What was assumed in the last call as well costs
-  /// nothing, however much it is.
+  /// nothing, however much it is, unless that met a limit, or a linear
+  /// constraint or a priority came since.
   Status solve_assumed(const Limits& limits = {});
 
   /// The last model found; all false before.
   const Model& model() const;
 
-  /// @pre the last call was a solve() that returned Infeasible. After some
+  /// @pre the last solve() or solve_assumed() returned Infeasible. After some
   ///   3 10^7 steps of derivation the solver forgets them, and then names all
   ///   constraints.
   Core core() const;

@@ -25,8 +25,9 @@ struct CellLabelOptions {
   /// all the same.
   const std::atomic<bool>* stop = nullptr;
   /// The caller promises that `kept` ascends by corners and is manifold at all
-  /// vertices that are neither open nor bare. The result is the same, in a time
-  /// that goes with the number of these where they are few.
+  /// vertices that are neither open nor bare. The result is the same. Where
+  /// these are few, the time goes with their number, but for some passes over
+  /// all vertices, cells and triangles.
   bool is_closed_elsewhere = false;
 };
 

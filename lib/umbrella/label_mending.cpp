@@ -77,6 +77,8 @@ bool LabelMending::improve(VertexId v) {
 }
 
 void LabelMending::force(VertexId v) {
+  if (effort_ > effort_limit_ && frame_.window() != nullptr)
+    labels_.leave_window();
   open_ring(v);
   propose(v, Licence::Open);
   if (proposals_.empty()) propose(v, Licence::Fill);

@@ -5,6 +5,9 @@
 // are alike.
 #include <algorithm>
 #include <array>
+#include <cassert>
+#include <iterator>
+#include <limits>
 
 #include "predicates/predicates.h"
 #include "umbrella/label_window_internal.h"
@@ -69,8 +72,7 @@ std::vector<CellId> LabelWindow::mark_centre(std::span<const VertexId> open) {
 }
 
 /// By a walk from a triangle whose vertices have ids that are near, as they are
-/// in space then. In a flat cell that may not know where to go; then all cells
-/// are looked at.
+/// in space then.
 CellId LabelWindow::cell_at(VertexId v) const {
   const auto has_v = [&](CellId c) {
     const auto& corners = whole_.cell(c).vertex;
@@ -82,10 +84,9 @@ CellId LabelWindow::cell_at(VertexId v) const {
   CellId at = (near == all_kept_.end() ? all_kept_.back() : *near).facet.cell();
   while (!has_v(at)) {
     const auto i = facet_towards(whole_.cell(at), whole_.point(v));
-    if (!i) break;
+    assert(i);  // no cell has a vertex that is no corner of it
     at = whole_.cell(at).neighbor[*i].cell();
   }
-  for (std::uint32_t c = 0; !has_v(at); ++c) at = CellId{c};
   return at;
 }
 
@@ -169,17 +170,21 @@ std::optional<LabelWindow::End> LabelWindow::way_out(CellId beyond,
   return std::nullopt;
 }
 
-/// Straight out of the box from a corner of the cell.
+/// Straight out of the box from a corner of the cell, or to its side where no
+/// number is farther out.
 Point3 LabelWindow::far_point(CellId from, unsigned direction) const {
   const Cell& cell = whole_.cell(from);
   const auto k = static_cast<Eigen::Index>(direction / 2);
   Point3 result = whole_.point(cell.vertex[0]);
   const double width = box_[1][k] - box_[0][k];
-  result[k] = direction % 2 == 0 ? box_[1][k] + width : box_[0][k] - width;
+  const double far =
+      direction % 2 == 0 ? box_[1][k] + width : box_[0][k] - width;
+  constexpr double kMost = std::numeric_limits<double>::max();
+  result[k] = std::clamp(far, -kMost, kMost);
   return result;
 }
 
-/// One that the point is strictly beyond; a flat cell may have none.
+/// One that the point is strictly beyond; none if it lies in the cell.
 std::optional<unsigned> LabelWindow::facet_towards(const Cell& cell,
                                                    const Point3& point) const {
   for (unsigned i = 0; i < 4; ++i) {

@@ -21,7 +21,8 @@ struct LocalRepair {
 };
 
 /// Solves programs of a few vertices, with all else as it is, on all of which
-/// so much effort is spent as on one region:
+/// as many propagations are spent as on two regions of all points, and as many
+/// conflicts as on one:
 ///
 /// - about each small closed piece that hangs together with others, for a
 ///   surface of fewer components;
@@ -33,7 +34,9 @@ struct LocalRepair {
 ///   whose two sides are closed apart from each other.
 ///
 /// But for loops of three edges, a handle goes only if its worst triangle is as
-/// bad as those that come are on average, by options.weight.
+/// bad as those that come are on average, by options.weight. Where a short loop
+/// does not give way to a short search it is cut as well, if its worst triangle
+/// is as bad as the mean of that average and the worst that comes.
 ///
 /// No point is lost, and components never become more.
 ///

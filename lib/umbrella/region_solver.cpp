@@ -103,6 +103,7 @@ Attempt RegionSolver::attempt(Proposal proposal, Effort& effort,
     if (work.worst_first.empty() && !is_refuted(work)) order_worst_first(work);
     if (settle_dropped(work, how)) search(work);
   }
+  if (work.result.outcome == Outcome::Undecided) note_limit();
   const ilp::Statistics used = work.solver.statistics();
   conflicts_ += used.conflicts;
   charge(effort,

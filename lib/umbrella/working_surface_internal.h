@@ -19,6 +19,8 @@ namespace umbrella {
 /// index, and a removed one leaves it unused.
 class WorkingSurface {
  public:
+  explicit WorkingSurface(std::size_t n_vertices)
+      : WorkingSurface(n_vertices, std::span<const LocatedTriangle>()) {}
   WorkingSurface(std::size_t n_vertices,
                  std::span<const RankedTriangle> triangles)
       : WorkingSurface(n_vertices, triangles.begin(), triangles.end()) {}
