@@ -14,11 +14,12 @@ to the half that tells what they are worth. Seconds are processor time of the wh
 
 import argparse
 import json
-import os
 import pathlib
 import subprocess
 import sys
 import tempfile
+
+from timed_reconstruct import reconstruct
 
 COLUMNS = ["set", "half", "points", "closed", "manifold", "components",
            "genus", "dropped", "seconds", "verdict"]
@@ -72,24 +73,6 @@ def chosen(umbrella, meshes):
                 own = check(umbrella, merged(mesh, folder))
             if is_sound(own):
                 yield mesh, "report", own
-
-
-def reconstruct(umbrella, mesh, extra, timeout):
-    """The report of a reconstruction, None after the timeout; and seconds."""
-    before = os.times()
-    with tempfile.TemporaryDirectory() as folder:
-        report = pathlib.Path(folder) / "report.json"
-        command = [umbrella, "reconstruct", mesh, "--quiet", "--report",
-                   str(report), *extra]
-        try:
-            subprocess.run(command, timeout=timeout, check=False)
-        except subprocess.TimeoutExpired:
-            pass
-        after = os.times()
-        seconds = (after.children_user - before.children_user +
-                   after.children_system - before.children_system)
-        found = json.loads(report.read_text()) if report.exists() else None
-    return found, seconds
 
 
 def row_of(mesh, half, own, report, seconds):
@@ -148,12 +131,15 @@ def main():
     if arguments.markdown:
         print("|" + "---|" * len(COLUMNS))
     rows = []
-    for mesh, half, own in chosen(arguments.umbrella, arguments.mesh):
-        if arguments.half not in (None, half):
-            continue
-        rows.append(row_of(mesh, half, own, *reconstruct(
-            arguments.umbrella, mesh, arguments.option, arguments.timeout)))
-        show(rows[-1], arguments.markdown)
+    with tempfile.TemporaryDirectory() as folder:
+        report = pathlib.Path(folder) / "report.json"
+        for mesh, half, own in chosen(arguments.umbrella, arguments.mesh):
+            if arguments.half not in (None, half):
+                continue
+            rows.append(row_of(mesh, half, own, *reconstruct(
+                arguments.umbrella, mesh, report, arguments.option,
+                arguments.timeout)))
+            show(rows[-1], arguments.markdown)
     print()
     for half in ("choose", "report"):
         part = [row for row in rows if row["half"] == half]

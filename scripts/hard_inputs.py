@@ -11,14 +11,13 @@ can, and how long that takes: "seconds" is processor time of the whole run, and
 """
 
 import argparse
-import json
 import math
-import os
 import pathlib
 import random
-import subprocess
 import sys
 import tempfile
+
+from timed_reconstruct import reconstruct
 
 FAMILIES = {}
 
@@ -26,6 +25,16 @@ FAMILIES = {}
 def family(make):
     FAMILIES[make.__name__.replace("_", "-")] = make
     return make
+
+
+def families(**values):
+    """One for each value of the last argument, by name."""
+    def add(make):
+        for name, value in values.items():
+            FAMILIES[name.replace("_", "-")] = (
+                lambda rng, n, value=value: make(rng, n, value))
+        return make
+    return add
 
 
 def on_sphere(rng, radius=1.0, centre=(0, 0, 0)):
@@ -49,10 +58,12 @@ def sheet(rng, n, height, noise=0.0):
             for x in range(side) for y in range(side)]
 
 
+@families(sphere_noise_1=0.01, sphere_noise_3=0.03, sphere_noise_10=0.1)
 def noisy_sphere(rng, n, noise):
     return [on_sphere(rng, 1 + noise * rng.gauss(0, 1)) for _ in range(n)]
 
 
+@families(two_sheets_03=0.3, two_sheets_05=0.5, two_sheets_10=1)
 def two_sheets(rng, n, spacings):
     side = math.isqrt(n // 2)
     return sheet(rng, n // 2, 0) + sheet(rng, n // 2, spacings / side)
@@ -100,36 +111,6 @@ def noisy_layers(rng, n):
 
 
 @family
-def sphere_noise_1(rng, n):
-    return noisy_sphere(rng, n, 0.01)
-
-
-@family
-def sphere_noise_3(rng, n):
-    return noisy_sphere(rng, n, 0.03)
-
-
-@family
-def sphere_noise_10(rng, n):
-    return noisy_sphere(rng, n, 0.1)
-
-
-@family
-def two_sheets_03(rng, n):
-    return two_sheets(rng, n, 0.3)
-
-
-@family
-def two_sheets_05(rng, n):
-    return two_sheets(rng, n, 0.5)
-
-
-@family
-def two_sheets_10(rng, n):
-    return two_sheets(rng, n, 1)
-
-
-@family
 def crossing_planes(rng, n):
     flat = sheet(rng, n // 3, 0)
     return ([(x, y, z + 0.4831) for x, y, z in flat] +
@@ -169,6 +150,7 @@ def clusters(rng, n):
     return points
 
 
+@families(balls_of_100=100, balls_of_1000=1000)
 def far_balls(rng, n, size):
     """Balls full of so many points each, apart on a lattice."""
     return [tuple(5 * c + x for c, x in zip(
@@ -176,16 +158,7 @@ def far_balls(rng, n, size):
                 on_sphere(rng, rng.random() ** (1 / 3)))) for i in range(n)]
 
 
-@family
-def balls_of_100(rng, n):
-    return far_balls(rng, n, 100)
-
-
-@family
-def balls_of_1000(rng, n):
-    return far_balls(rng, n, 1000)
-
-
+@families(warts_of_60=60, warts_of_1000=1000)
 def sphere_with_balls(rng, n, size):
     """A fifth of the points in balls of so many, centred on a unit sphere."""
     radius = math.sqrt(size / n)
@@ -197,16 +170,6 @@ def sphere_with_balls(rng, n, size):
             points += [on_sphere(rng, radius * rng.random() ** (1 / 3), p)
                        for _ in range(size)]
     return points
-
-
-@family
-def warts_of_60(rng, n):
-    return sphere_with_balls(rng, n, 60)
-
-
-@family
-def warts_of_1000(rng, n):
-    return sphere_with_balls(rng, n, 1000)
 
 
 @family
@@ -252,24 +215,6 @@ def write_points(name, n, path):
             out.write("%.17g %.17g %.17g\n" % p)
 
 
-def reconstruct(umbrella, points, extra, timeout):
-    """The report, none after the timeout or a failure; and seconds."""
-    report = points.with_suffix(".json")
-    report.unlink(missing_ok=True)
-    command = [umbrella, "reconstruct", str(points), "--quiet", "--report",
-               str(report), *extra]
-    before = os.times()
-    try:
-        subprocess.run(command, timeout=timeout, check=False)
-    except subprocess.TimeoutExpired:
-        pass
-    after = os.times()
-    seconds = (after.children_user - before.children_user +
-               after.children_system - before.children_system)
-    found = json.loads(report.read_text()) if report.exists() else None
-    return found, seconds
-
-
 def row_of(name, n, report, seconds):
     if report is None:
         return [name, str(n), "none"] + [""] * 6
@@ -303,8 +248,8 @@ def main():
                 if not points.exists():
                     write_points(name, n, points)
                 row = row_of(name, n, *reconstruct(
-                    arguments.umbrella, points, arguments.option,
-                    arguments.timeout))
+                    arguments.umbrella, points, points.with_suffix(".json"),
+                    arguments.option, arguments.timeout))
                 print("| " + " | ".join(row) + " |", flush=True)
     return 0
 
