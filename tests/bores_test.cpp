@@ -194,6 +194,19 @@ TEST(Bores, GoThroughBodiesOfAnySize) {
   }
 }
 
+/// Each bore that is opened is one handle more.
+void open_each(const Points& points, std::int64_t most_handles,
+               std::size_t& n_opened) {
+  const Reconstruction before = closed(points, false);
+  const Reconstruction after = closed(points, true);
+  ASSERT_TRUE(before.surface.genus && after.surface.genus);
+  EXPECT_EQ(static_cast<std::size_t>(*after.surface.genus),
+            static_cast<std::size_t>(*before.surface.genus) +
+                after.closing.bores_opened);
+  EXPECT_LE(*after.surface.genus, most_handles);
+  n_opened += after.closing.bores_opened;
+}
+
 /// Each on its own, whatever the others do.
 TEST(Bores, GoThroughAFlange) {
   std::mt19937_64 rng(3);
@@ -213,15 +226,8 @@ TEST(Bores, GoThroughAFlange) {
                  points);
       }
     }
-    const Points set = placed(points, trial, rng);
-    const Reconstruction before = closed(set, false);
-    const Reconstruction after = closed(set, true);
-    ASSERT_TRUE(before.surface.genus && after.surface.genus);
-    EXPECT_EQ(static_cast<std::size_t>(*after.surface.genus),
-              static_cast<std::size_t>(*before.surface.genus) +
-                  after.closing.bores_opened);
-    EXPECT_LE(*after.surface.genus, 7);
-    n_opened += after.closing.bores_opened;
+    open_each(placed(points, trial, rng), 7, n_opened);
+    ASSERT_FALSE(HasFatalFailure());
   }
   EXPECT_GE(n_opened, 6U);
 }
@@ -239,15 +245,8 @@ TEST(Bores, GoThroughAStep) {
     for (const double z : {0.0, h}) add_ring({}, z, 40, points);
     for (const double z : {0.0, h / 2}) add_ring({.radius = 0.3}, z, n, points);
     for (const double z : {h / 2, h}) add_ring({.radius = 0.5}, z, n, points);
-    const Points set = placed(points, trial, rng);
-    const Reconstruction before = closed(set, false);
-    const Reconstruction after = closed(set, true);
-    ASSERT_TRUE(before.surface.genus && after.surface.genus);
-    EXPECT_EQ(static_cast<std::size_t>(*after.surface.genus),
-              static_cast<std::size_t>(*before.surface.genus) +
-                  after.closing.bores_opened);
-    EXPECT_LE(*after.surface.genus, 1);
-    n_opened += after.closing.bores_opened;
+    open_each(placed(points, trial, rng), 1, n_opened);
+    ASSERT_FALSE(HasFatalFailure());
   }
   EXPECT_GE(n_opened, 2U);
 }
