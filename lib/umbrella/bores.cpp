@@ -189,8 +189,7 @@ bool Opening::attempt(const Region& region,
           solved.freed.size() + lid_triangles.size() + kTrianglesOfHandle ||
       solver_.n_pieces_added(solved, effort_) != 0)
     return false;
-  for (const TriangleIndex t : solved.freed) surface_.remove(t);
-  for (const LocatedTriangle& t : solved.chosen) surface_.add(t);
+  surface_.replace(solved.freed, solved.chosen);
   return true;
 }
 

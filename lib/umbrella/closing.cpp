@@ -364,8 +364,7 @@ bool Closing::drop_points(Task& task) {
 }
 
 void Closing::accept(const Attempt& solved) {
-  for (const TriangleIndex t : solved.freed) surface_.remove(t);
-  for (const LocatedTriangle& t : solved.chosen) surface_.add(t);
+  surface_.replace(solved.freed, solved.chosen);
   for (const VertexId v : solved.vertices) is_open_[index(v)] = false;
   dropped_.insert(dropped_.end(), solved.dropped.begin(), solved.dropped.end());
 }

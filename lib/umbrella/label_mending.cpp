@@ -60,11 +60,16 @@ std::size_t LabelMending::run() {
   return faulty.size();
 }
 
+/// Whether switches are no longer weighed. All cells have another limit than a
+/// window, so from there on it shows too little.
+bool LabelMending::is_spent() {
+  if (effort_ <= effort_limit_) return false;
+  if (frame_.window() != nullptr) labels_.leave_window();
+  return true;
+}
+
 bool LabelMending::improve(VertexId v) {
-  if (effort_ > effort_limit_) {
-    if (frame_.window() != nullptr) labels_.leave_window();
-    return false;
-  }
+  if (is_spent()) return false;
   propose(v, Licence::Open);
   std::optional<std::size_t> chosen = best(false);
   if (!chosen && open_ring(v)) {
@@ -77,12 +82,10 @@ bool LabelMending::improve(VertexId v) {
 }
 
 void LabelMending::force(VertexId v) {
-  if (effort_ > effort_limit_ && frame_.window() != nullptr)
-    labels_.leave_window();
   open_ring(v);
   propose(v, Licence::Open);
   if (proposals_.empty()) propose(v, Licence::Fill);
-  const Cells cells = proposals_[effort_ > effort_limit_ ? 0 : *best(true)];
+  const Cells cells = proposals_[is_spent() ? 0 : *best(true)];
   for (const CellId c : cells) is_frozen_[index(c)] = 1;
   apply(cells);
 }

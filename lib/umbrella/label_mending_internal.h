@@ -41,6 +41,7 @@ class LabelMending {
     Fill   // from outside to inside
   };
 
+  bool is_spent();
   bool improve(VertexId v);
   void force(VertexId v);
   bool open_ring(VertexId v);

@@ -15,8 +15,6 @@ namespace umbrella {
 namespace {
 
 constexpr std::size_t kMostVertices = 300;
-/// Of the surface, about a loop.
-constexpr int kRings = 2;
 /// At most so many times options.handle_edges edges have loops at which handles
 /// are cut. On 26 sets to choose by, 8 edges bring none right that 5 do not, 10
 /// one, and 12 lose that again: then it passes for a tube.
@@ -126,8 +124,8 @@ class Repair {
   bool hangs_together(const Vertices& piece);
   void remove_handles(HandleLoops& search, Loops loops, Way way);
   bool remove_some_handles(const Loops& loops, Way way);
-  bool remove_handle_at(const Vertices& loop);
-  bool cut_handle_at(const Vertices& loop);
+  bool remove_handle_at(const Vertices& loop, Way way);
+  bool remove_handle(const Vertices& loop, const Region& region);
   Outcome take_fewer_triangles(const Vertices& loop, const Region& region,
                                std::uint64_t most_conflicts);
   bool cut(const Vertices& loop, const Region& region);
@@ -245,29 +243,32 @@ bool Repair::remove_some_handles(const Loops& loops, Way way) {
                     [this](VertexId v) { return is_changed_[index(v)]; });
     if (has_changed || !tried_.insert(loop).second) continue;
     if (is_over()) break;
-    if (way == Way::Any ? remove_handle_at(loop) : cut_handle_at(loop))
-      is_any_removed = true;
+    is_any_removed |= remove_handle_at(loop, way);
   }
   return is_any_removed;
 }
 
 /// Tries the vertices of the loop with one ring of the surface, then with two.
-/// Whether a handle can go at all mostly shows within a few conflicts; where it
-/// does not, a cut tells sooner than a longer search.
-bool Repair::remove_handle_at(const Vertices& loop) {
-  constexpr std::uint64_t kFewConflicts = 60;
+bool Repair::remove_handle_at(const Vertices& loop, Way way) {
+  constexpr int kRings = 2;
   Region region;
   region.vertices = loop;
   for (int ring = 0; ring < kRings; ++ring) {
     region.vertices = ringed(region.vertices);
-    Outcome outcome = take_fewer_triangles(loop, region, kFewConflicts);
-    if (outcome == Outcome::Undecided) {
-      if (cut(loop, region)) return true;
-      outcome = take_fewer_triangles(loop, region, most_conflicts_);
-    }
-    if (outcome == Outcome::Solved) return true;
+    if (way == Way::Any ? remove_handle(loop, region) : cut(loop, region))
+      return true;
   }
   return false;
+}
+
+/// Whether a handle can go at all mostly shows within a few conflicts; where it
+/// does not, a cut tells sooner than a longer search.
+bool Repair::remove_handle(const Vertices& loop, const Region& region) {
+  constexpr std::uint64_t kFewConflicts = 60;
+  const Outcome outcome = take_fewer_triangles(loop, region, kFewConflicts);
+  if (outcome != Outcome::Undecided) return outcome == Outcome::Solved;
+  return cut(loop, region) ||
+         take_fewer_triangles(loop, region, most_conflicts_) == Outcome::Solved;
 }
 
 /// Takes the surface that has a handle less, if there is one near the loop.
@@ -282,16 +283,6 @@ Outcome Repair::take_fewer_triangles(const Vertices& loop, const Region& region,
   const bool is_taken = (loop.size() == 3 || may_replace(solved, 0)) &&
                         take(solved, n_components_);
   return is_taken ? Outcome::Solved : Outcome::Infeasible;
-}
-
-bool Repair::cut_handle_at(const Vertices& loop) {
-  Region region;
-  region.vertices = loop;
-  for (int ring = 0; ring < kRings; ++ring) {
-    region.vertices = ringed(region.vertices);
-    if (cut(loop, region)) return true;
-  }
-  return false;
 }
 
 /// Parts the two sides of the loop, which goes with one of them: no triangle
@@ -407,8 +398,7 @@ std::vector<VertexId> Repair::ringed(std::span<const VertexId> vertices) const {
 }
 
 void Repair::accept(const Attempt& solved) {
-  for (const TriangleIndex t : solved.freed) surface_.remove(t);
-  for (const LocatedTriangle& t : solved.chosen) surface_.add(t);
+  surface_.replace(solved.freed, solved.chosen);
   for (const VertexId v : solved.vertices) {
     is_changed_[index(v)] = true;
     changed_.push_back(v);

@@ -50,6 +50,13 @@ class WorkingSurface {
   /// @pre t was removed, and its triangle has not been added since
   void put_back(TriangleIndex t) { is_there_[t] = 1; }
 
+  /// Puts triangles in the place of others.
+  void replace(std::span<const TriangleIndex> old,
+               std::span<const LocatedTriangle> triangles) {
+    for (const TriangleIndex t : old) remove(t);
+    for (const LocatedTriangle& t : triangles) add(t);
+  }
+
   /// Calls visit(TriangleIndex) for each triangle at v, in an order that
   /// depends on the calls made so far.
   template <class Visit>
