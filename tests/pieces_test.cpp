@@ -313,6 +313,36 @@ TEST(PieceFinder, FindsWhatOneChangeCutsOff) {
   }
 }
 
+/// The change that takes one back that was made.
+ChangingTorus::Swap reverse(const WorkingSurface& surface,
+                            const ChangingTorus::Swap& swap) {
+  ChangingTorus::Swap result;
+  for (const TriangleIndex t : swap.freed)
+    result.chosen.push_back(surface.triangle(t));
+  const std::size_t n = surface.n_indices();
+  for (std::size_t i = n - swap.chosen.size(); i < n; ++i)
+    result.freed.push_back(static_cast<TriangleIndex>(i));
+  result.vertices = swap.vertices;
+  return result;
+}
+
+TEST(PieceFinder, KnowsTheRestOfASurfaceOnceAPieceIsCutOff) {
+  ChangingTorus torus(60);
+  PieceFinder finder(torus.surface(), 200);
+  const std::vector<bool> is_open(torus.surface().n_vertices());
+  for (const std::uint32_t column : {3U, 24U, 40U}) {
+    SCOPED_TRACE(testing::Message() << "column " << column);
+    const auto cut = cut_off(torus.surface(), column % kRound, column);
+    EXPECT_EQ(finder.find(cut.change(), is_open).size(), 1U);
+    torus.make(cut);
+    EXPECT_FALSE(finder.is_one_piece());
+    const auto join = reverse(torus.surface(), cut);
+    EXPECT_TRUE(finder.find(join.change(), is_open).empty());
+    torus.make(join);
+    EXPECT_TRUE(finder.is_one_piece());
+  }
+}
+
 TEST(PieceFinder, SaysOneOnlyWhereThereIsOnePiece) {
   std::mt19937_64 rng(7);
   std::uniform_int_distribution<std::uint32_t> any_column(0, 99);

@@ -60,7 +60,6 @@ std::vector<Piece> PieceFinder::find(const Change& change,
   forget_reached();
   unmark(change);
   for (const VertexId v : doubted_) is_in_patch_[index(v)] = 1;
-  doubted_.clear();
   uses_patches_ = true;
   return pieces;
 }
@@ -163,9 +162,14 @@ void PieceFinder::find_large_patches(const std::vector<bool>& is_open) {
   }
 }
 
-/// If the change that may have torn one was made.
-void PieceFinder::drop_torn_patches() {
-  if (doubtful_ && !surface_.contains(*doubtful_)) {
+/// Keeps the patches right if the change of the last call was made.
+void PieceFinder::settle_patches() {
+  if (!doubtful_ || surface_.contains(*doubtful_)) return;
+  doubtful_.reset();
+  if (is_last_certain_) {
+    for (const VertexId v : doubted_) is_in_patch_[index(v)] = 0;
+    n_spare_ -= n_doubted_;
+  } else {
     is_in_patch_.assign(surface_.n_vertices(), 0);
     n_patches_ = 0;
   }
@@ -175,31 +179,37 @@ void PieceFinder::drop_torn_patches() {
 /// for certain.
 void PieceFinder::doubt_patches(const Change& change) {
   const auto& freed = change.freed;
-  drop_torn_patches();
+  settle_patches();
   doubtful_.reset();
+  doubted_.clear();
   const bool touches_patch =
       std::any_of(freed.begin(), freed.end(), [this](TriangleIndex t) {
         return is_in_patch_[index(surface_.corners(t)[0])] != 0;
       });
   if (!touches_patch) return;
   is_patch_touched_ = true;
+  doubtful_ = freed.front();
   const Tear tear = look_for_tear(change);
-  const std::size_t n_lost = freed.size() + tear.n_triangles;
-  uses_patches_ = tear.is_certain && n_lost < n_spare_;
+  is_last_certain_ =
+      tear.is_certain && freed.size() + tear.n_triangles < n_spare_;
+  uses_patches_ = is_last_certain_;
+  if (!uses_patches_) return;
+  n_spare_ -= freed.size();
+  n_doubted_ = tear.n_triangles;
   for (const VertexId v : tear.cut_off)
     if (is_in_patch_[index(v)] != 0) {
       is_in_patch_[index(v)] = 0;
       doubted_.push_back(v);
     }
-  if (uses_patches_) n_spare_ -= freed.size();
-  if (!uses_patches_ || !doubted_.empty()) doubtful_ = freed.front();
 }
 
 /// Walks around the corners of the triangles that would go. Whatever is left of
 /// a piece has such a corner: so once all walks but one have come to an end or
-/// met another one, that is where the rest of it is.
+/// met another one, that is where the rest of it is. Without an answer each
+/// piece is walked over until it is too large, so half of that is not too much.
 PieceFinder::Tear PieceFinder::look_for_tear(const Change& change) {
-  const std::size_t most = 64 + 16 * change.freed.size();  // vertices
+  const std::size_t most =  // vertices
+      std::max(64 + 16 * change.freed.size(), limit_ / 4);
   std::vector<VertexId> corners;
   for (const TriangleIndex t : change.freed)
     corners.insert(corners.end(), surface_.corners(t).begin(),
@@ -215,7 +225,7 @@ PieceFinder::Tear PieceFinder::look_for_tear(const Change& change) {
 }
 
 bool PieceFinder::is_one_piece() {
-  drop_torn_patches();
+  settle_patches();
   if (n_patches_ != 1) return false;
   const std::size_t n = surface_.n_vertices();
   DisjointSets sets(n + 1);  // the last one: vertices of the patch

@@ -88,7 +88,7 @@ class PieceFinder {
   std::size_t walk(std::span<const VertexId> starts, const Change& change,
                    std::size_t most, Walks& walks);
   void find_large_patches(const std::vector<bool>& is_open);
-  void drop_torn_patches();
+  void settle_patches();
   void doubt_patches(const Change& change);
   Tear look_for_tear(const Change& change);
   template <class Visit>
@@ -112,8 +112,11 @@ class PieceFinder {
   std::size_t n_spare_ = 0;   // triangles of the least patch above the limit
   bool uses_patches_ = true;  // in the call at hand
   bool is_patch_touched_ = false;  // by a change that may have been made
-  std::vector<VertexId> doubted_;  // taken out of patches for the call at hand
-  std::optional<TriangleIndex> doubtful_;  // goes if a patch is perhaps torn
+  // Of the last call, if it touched a patch:
+  std::optional<TriangleIndex> doubtful_;  // goes if the change is made
+  bool is_last_certain_ = false;   // whether it is known what that cuts off
+  std::vector<VertexId> doubted_;  // taken out of patches for it
+  std::size_t n_doubted_ = 0;      // triangles, at least as many as there
   std::uint32_t n_pieces_ = 0;
   bool has_waited_ = false;
   std::uint64_t n_steps_ = 0;
