@@ -44,7 +44,7 @@ struct Hull {
         triangles(triangles_of(t)),
         surface(t.points().size(), triangles),
         is_open(t.points().size()),
-        groups(t, triangles) {
+        groups(t, triangles, surface) {
     for (std::size_t v = 0; v < t.points().size(); ++v) {
       bool is_used = false;
       surface.for_each_at(vertex(v), [&](TriangleIndex) { is_used = true; });

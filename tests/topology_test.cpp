@@ -145,7 +145,9 @@ TEST(PointGroups, ArePartedByGapsOnly) {
     const auto ranked = ranked_triangles(triangulation);
     const auto filtered =
         umbrella_filter(triangulation.points().size(), ranked);
-    PointGroups groups(triangulation, filtered.triangles);
+    const WorkingSurface surface(triangulation.points().size(),
+                                 filtered.triangles);
+    PointGroups groups(triangulation, filtered.triangles, surface);
     const auto rows = triangulation.vertex_of_row();
     const std::size_t n_all = kLarge + kSmall;
     EXPECT_EQ(groups.n_points_with(rows.first(1)), gap > 3 ? kLarge : n_all);
@@ -157,7 +159,8 @@ TEST(PointGroups, ArePartedByGapsOnly) {
 
 TEST(PointGroups, TakeInWhateverIsNearToPointsWithoutATriangle) {
   const delaunay::Triangulation3 triangulation(two_spheres(4, 3));
-  PointGroups groups(triangulation, {});
+  const WorkingSurface surface(triangulation.points().size());
+  PointGroups groups(triangulation, {}, surface);
   EXPECT_EQ(groups.n_points_with(triangulation.vertex_of_row().first(1)),
             kLarge + kSmall);
 }

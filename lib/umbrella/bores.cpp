@@ -110,7 +110,7 @@ class Opening {
       : options_(options),
         surface_(surface),
         is_open_(triangulation.points().size()),
-        groups_(triangulation, {}),
+        groups_(triangulation, {}, surface),
         solver_(triangulation, options, surface, is_open_, groups_),
         effort_{options.conflicts,
                 options.propagations + options.propagations_per_vertex *

@@ -36,7 +36,7 @@ class Closing {
         surface_(triangulation.points().size(), cleaned),
         is_open_(triangulation.points().size()),
         triangulation_(triangulation),
-        groups_(triangulation, cleaned),
+        groups_(triangulation, cleaned, surface_),
         solver_(triangulation, options, surface_, is_open_, groups_),
         is_undecided_(triangulation.points().size()) {}
 

@@ -95,7 +95,7 @@ class Repair {
         local_options_(with_small_pieces(options, triangles.size())),
         surface_(triangulation.points().size(), triangles),
         is_open_(triangulation.points().size()),
-        groups_(triangulation, triangles),
+        groups_(triangulation, triangles, surface_),
         solver_(triangulation, local_options_, surface_, is_open_, groups_),
         badness_(triangulation, options.weight),
         most_conflicts_(options.conflicts / 30),

@@ -2,11 +2,13 @@
 #include <limits>
 
 #include "umbrella/circumradius_internal.h"
-#include "umbrella/disjoint_sets_internal.h"
 #include "umbrella/point_groups_internal.h"
+#include "umbrella/region_internal.h"
 
 namespace umbrella {
 namespace {
+
+using delaunay::CellId;
 
 class Distances {
  public:
@@ -27,14 +29,55 @@ class Distances {
 
 }  // namespace
 
-/// Of each vertex: how far it is to those it hangs together with.
-std::vector<double> PointGroups::squared_reach() const {
+/// The corners of a triangle always hang together.
+DisjointSets PointGroups::corner_sets() const {
+  DisjointSets sets(surface_.n_vertices());
+  for (const RankedTriangle& t : triangles_) {
+    sets.unite(index(t.corners[0]), index(t.corners[1]));
+    sets.unite(index(t.corners[0]), index(t.corners[2]));
+  }
+  sets.flatten();
+  return sets;
+}
+
+/// All cells with a corner outside the largest set: no others can join any.
+std::vector<CellId> PointGroups::cells_between(DisjointSets& sets) const {
+  constexpr std::size_t kMany = 8;  // one vertex in so many
+  const std::size_t n = surface_.n_vertices();
+  std::vector<std::uint32_t> size(n, 1);
+  sets.add_at_roots(size);
+  const auto largest = static_cast<std::size_t>(
+      std::max_element(size.begin(), size.end()) - size.begin());
+  std::vector<VertexId> others;
+  for (std::uint32_t v = 0; v < n; ++v)
+    if (sets.root(v) != largest) others.push_back(VertexId{v});
+  std::vector<CellId> result;
+  if (kMany * others.size() > n) {
+    result.resize(triangulation_.n_finite_cells());
+    for (std::uint32_t c = 0; c < result.size(); ++c) result[c] = CellId{c};
+  } else if (!others.empty()) {
+    CellSet cells(triangulation_, surface_);
+    cells.collect(others);
+    result.assign(cells.cells().begin(), cells.cells().end());
+  }
+  return result;
+}
+
+/// Of the corners of these cells: how far it is to those they hang together
+/// with.
+std::vector<double> PointGroups::squared_reach(
+    std::span<const CellId> cells) const {
   constexpr double kReach = 2;  // of the longest edge
   const Distances distance(triangulation_);
-  std::vector<double> reach(triangulation_.points().size());
+  std::vector<std::uint8_t> is_asked(surface_.n_vertices());
+  for (const CellId c : cells)
+    for (const VertexId v : triangulation_.cell(c).vertex)
+      is_asked[index(v)] = 1;
+  std::vector<double> reach(surface_.n_vertices());
   for (const RankedTriangle& t : triangles_)
     for (unsigned i = 0; i < 3; ++i) {
       const VertexId a = t.corners[i], b = t.corners[(i + 1) % 3];
+      if ((is_asked[index(a)] | is_asked[index(b)]) == 0) continue;
       const double longest = kReach * kReach * distance.squared(a, b);
       reach[index(a)] = std::max(reach[index(a)], longest);
       reach[index(b)] = std::max(reach[index(b)], longest);
@@ -46,21 +89,23 @@ std::vector<double> PointGroups::squared_reach() const {
 
 void PointGroups::find() {
   const Distances distance(triangulation_);
-  const std::vector<double> reach = squared_reach();
-  DisjointSets sets(reach.size());
-  for (const delaunay::Cell& cell :
-       triangulation_.cells().first(triangulation_.n_finite_cells()))
+  DisjointSets sets = corner_sets();
+  const std::vector<CellId> cells = cells_between(sets);
+  const std::vector<double> reach = squared_reach(cells);
+  for (const CellId c : cells) {
+    const auto& vertex = triangulation_.cell(c).vertex;
     for (unsigned i = 0; i < 4; ++i)
       for (unsigned k = 0; k < i; ++k) {
-        const VertexId a = cell.vertex[i], b = cell.vertex[k];
+        const VertexId a = vertex[i], b = vertex[k];
         if (distance.squared(a, b) <=
             std::min(reach[index(a)], reach[index(b)]))
           sets.unite(index(a), index(b));
       }
+  }
   group_.resize(reach.size());
   n_points_.resize(reach.size());
   for (std::size_t v = 0; v < group_.size(); ++v) {
-    group_[v] = static_cast<std::uint32_t>(sets.root(v));
+    group_[v] = sets.root(v);
     ++n_points_[group_[v]];
   }
 }

@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "delaunay/triangulation3.h"
+#include "umbrella/disjoint_sets_internal.h"
 #include "umbrella/triangle.h"
+#include "umbrella/working_surface_internal.h"
 
 namespace umbrella {
 
@@ -20,9 +22,14 @@ class PointGroups {
  public:
   /// Groups are found when first asked for.
   /// @param triangulation, triangles  must outlive this object
+  /// @param surface  likewise; serves to find a cell at a vertex, whatever has
+  ///   become of the triangles
   PointGroups(const delaunay::Triangulation3& triangulation,
-              std::span<const RankedTriangle> triangles)
-      : triangulation_(triangulation), triangles_(triangles) {}
+              std::span<const RankedTriangle> triangles,
+              const WorkingSurface& surface)
+      : triangulation_(triangulation),
+        triangles_(triangles),
+        surface_(surface) {}
 
   /// How many points the groups of these have together. May be called by
   /// several threads.
@@ -30,10 +37,14 @@ class PointGroups {
 
  private:
   void find();
-  std::vector<double> squared_reach() const;
+  DisjointSets corner_sets() const;
+  std::vector<delaunay::CellId> cells_between(DisjointSets& sets) const;
+  std::vector<double> squared_reach(
+      std::span<const delaunay::CellId> cells) const;
 
   const delaunay::Triangulation3& triangulation_;
   std::span<const RankedTriangle> triangles_;
+  const WorkingSurface& surface_;
   std::once_flag is_found_;
   std::vector<std::uint32_t> group_;     // by vertex: the first of the group
   std::vector<std::uint32_t> n_points_;  // by first vertex
