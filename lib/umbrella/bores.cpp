@@ -112,9 +112,7 @@ class Opening {
         is_open_(triangulation.points().size()),
         groups_(triangulation, {}, surface),
         solver_(triangulation, options, surface, is_open_, groups_),
-        effort_{options.conflicts,
-                options.propagations + options.propagations_per_vertex *
-                                           triangulation.points().size()} {}
+        effort_(local_effort(options, triangulation.points().size(), 1)) {}
 
   bool open(const Bore& bore);
   std::uint64_t propagations() const { return solver_.propagations(); }
@@ -130,7 +128,7 @@ class Opening {
   std::vector<bool> is_open_;  // none
   PointGroups groups_;
   RegionSolver solver_;
-  Effort effort_;  // for all bores
+  LocalEffort effort_;
 };
 
 bool Opening::has_all(const FlatLid& lid) const {
@@ -161,7 +159,7 @@ bool Opening::open(const Bore& bore) {
   Region region;
   region.vertices = bore.rims;
   for (int ring = 0; ring <= kRings; ++ring) {
-    if (effort_.is_spent() || solver_.is_over()) break;
+    if (effort_.all.is_spent() || solver_.is_over()) break;
     if (ring > 0) region.vertices = ringed(region.vertices);
     if (attempt(region, lid_triangles)) return true;
   }
@@ -180,14 +178,14 @@ bool Opening::attempt(const Region& region,
         lid_triangles.begin(), lid_triangles.end(),
         [&](const LocatedTriangle& l) { return l.corners == t.corners; });
   });
-  const Attempt solved = effort_.lend(
-      options_.conflicts / 30, options_.propagations, [&](Effort& lent) {
+  const Attempt solved = effort_.all.lend(
+      effort_.conflicts_of_each, options_.propagations, [&](Effort& lent) {
         return solver_.attempt({region, std::move(candidates)}, lent, {});
       });
   if (solved.outcome != Outcome::Solved ||
       solved.chosen.size() !=
           solved.freed.size() + lid_triangles.size() + kTrianglesOfHandle ||
-      solver_.n_pieces_added(solved, effort_) != 0)
+      solver_.n_pieces_added(solved, effort_.all) != 0)
     return false;
   surface_.replace(solved.freed, solved.chosen);
   return true;

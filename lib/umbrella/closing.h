@@ -41,7 +41,7 @@ struct ClosingOptions {
   /// Effort for each region and all that it grows to: so many conflicts, and
   /// so many propagations, with more for each vertex. The same on every run.
   /// Each program may take half of what is left.
-  std::uint64_t conflicts = 30'000;
+  std::uint64_t conflicts = 10'000;
   std::uint64_t propagations = 2'000'000;
   std::uint64_t propagations_per_vertex = 150;
   /// Conflicts of a first search, which knows less of the program. It makes no

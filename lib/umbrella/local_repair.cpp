@@ -98,10 +98,8 @@ class Repair {
         groups_(triangulation, triangles, surface_),
         solver_(triangulation, local_options_, surface_, is_open_, groups_),
         badness_(triangulation, options.weight),
-        most_conflicts_(options.conflicts / 30),
-        effort_{options.conflicts,
-                2 * (options.propagations + options.propagations_per_vertex *
-                                                triangulation.points().size())},
+        most_conflicts_(local_effort(options, 0, 0).conflicts_of_each),
+        effort_(local_effort(options, triangulation.points().size(), 2).all),
         is_changed_(triangulation.points().size()),
         at_first_(std::move(census)),
         left_out_(at_first_.unused()),
