@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <stdexcept>
+#include <string>
 
 #include "apps/interrupt.h"
 #include "apps/outcome.h"
@@ -18,10 +20,26 @@ void require_space_options(const Request& request) {
   if (request.stage != Stage::Closed && !request.programs.are_empty())
     throw std::invalid_argument(
         "--write-opb, --write-lp and --write-mps are for --stage closed");
+  if (request.close == umbrella::CloseMode::Paper &&
+      request.weight != umbrella::CloseWeight::BallOverlap)
+    throw std::invalid_argument("--weight is for --close best");
   if (umbrella::parse_method(request.method).is_umbrella()) return;
   if (request.criterion != "paper" || request.umbrella != "first")
     throw std::invalid_argument(
         "--criterion and --umbrella are for --method umbrella");
+}
+
+// Shows the regions that are done with, at most a hundred times.
+std::function<void(std::size_t, std::size_t)> closing_progress(
+    terminal::Progress& progress) {
+  return [&progress, shown = std::size_t{0}](std::size_t done,
+                                             std::size_t all) mutable {
+    const std::size_t percent = 100 * done / all;
+    if (percent == shown) return;
+    shown = percent;
+    progress.show("closing: " + std::to_string(done) + " of " +
+                  std::to_string(all) + " regions");
+  };
 }
 
 umbrella::Reconstruction run(const io::PointSet& points, const Request& request,
@@ -46,6 +64,7 @@ umbrella::Reconstruction run(const io::PointSet& points, const Request& request,
   const terminal::Interrupt interrupt;
   options.closing.stop = &terminal::Interrupt::flag();
   options.progress = [&](std::string_view stage) { progress.show(stage); };
+  options.closing.on_progress = closing_progress(progress);
   return umbrella::reconstruct(points.points, options);
 }
 
@@ -109,6 +128,7 @@ Json stages_report(const Request& request,
                      {"dropped_points", result.dropped_rows},
                      {"dropped", dropped_report(result)},
                      {"conflicts", c.conflicts},
+                     {"propagations", c.propagations},
                      {"timed_out", c.timed_out},
                      {"interrupted", terminal::Interrupt::flag().load()}};
   return json;

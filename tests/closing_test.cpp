@@ -7,6 +7,8 @@
 #include <atomic>
 #include <random>
 #include <set>
+#include <thread>
+#include <utility>
 #include <vector>
 
 #include "apps/shapes.h"
@@ -160,7 +162,8 @@ TEST(CloseHoles, CountsItsRegions) {
 
 TEST(CloseHoles, CountsItsConflicts) {
   const Input cloud(shapes::sample("uniform", 150, {.seed = 3}));
-  ClosingOptions options = {.conflicts = 500};
+  ClosingOptions options = {
+      .conflicts = 500, .handle_edges = 0, .open_bores = false};
   std::uint64_t n_programs = 0;
   options.on_program = [&](const ilp::LinearForm&, ilp::Status) {
     ++n_programs;
@@ -168,6 +171,31 @@ TEST(CloseHoles, CountsItsConflicts) {
   const std::uint64_t conflicts = cloud.close(options).report.conflicts;
   EXPECT_GT(conflicts, 0U);
   EXPECT_LE(conflicts, n_programs * (options.short_search + options.conflicts));
+}
+
+TEST(CloseHoles, TellsHowManyRegionsAreDoneWith) {
+  Input torus(shapes::sample("torus", 1500, {}));
+  torus.damage(80, 1);
+  const Input cloud(shapes::sample("uniform", 150, {.seed = 3}));
+  for (const Input* input : {&std::as_const(torus), &cloud})
+    for (const CloseMode mode : {CloseMode::Best, CloseMode::Paper})
+      for (const unsigned threads : {1U, 3U}) {
+        ClosingOptions options = {
+            .mode = mode, .conflicts = 500, .threads = threads};
+        std::vector<std::size_t> told;
+        std::size_t n_regions = 0;
+        const auto caller = std::this_thread::get_id();
+        options.on_progress = [&](std::size_t n_done, std::size_t n) {
+          EXPECT_EQ(std::this_thread::get_id(), caller);
+          told.push_back(n_done);
+          n_regions = n;
+        };
+        const ClosingReport report = input->close(options).report;
+        EXPECT_EQ(n_regions, report.regions);
+        ASSERT_FALSE(told.empty());
+        EXPECT_EQ(told.back(), n_regions);
+        EXPECT_TRUE(std::ranges::is_sorted(told, std::ranges::less_equal()));
+      }
 }
 
 TEST(CloseHoles, IsTheSameOnAnyNumberOfThreads) {

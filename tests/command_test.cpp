@@ -392,6 +392,9 @@ TEST_F(Command, ClosesByEachWeight) {
   expect_error("reconstruct s.ply --weight length", "--weight: 'length' is");
   folder_.file("p.xy", "0 0\n1 0\n0 1\n1 1\n");
   expect_error("reconstruct p.xy --weight area", "is for points in space");
+  for (const std::string use : {"reconstruct", "repair"})
+    expect_error(use + " m.ply --close paper --weight area",
+                 "--weight is for --close best");
 }
 
 TEST_F(Command, SaysThatTheTimeWasUp) {

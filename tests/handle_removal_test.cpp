@@ -7,6 +7,12 @@
 #include <vector>
 
 #include "apps/shapes.h"
+#include "umbrella/clean_up.h"
+#include "umbrella/closing.h"
+#include "umbrella/criterion.h"
+#include "umbrella/filter.h"
+#include "umbrella/holes.h"
+#include "umbrella/local_repair_internal.h"
 #include "umbrella/reconstruct.h"
 
 namespace umbrella {
@@ -37,6 +43,30 @@ TEST(HandleRemoval, KeepsHandlesOfFewPointsWithGoodTriangles) {
     }
     EXPECT_GE(n_right, least) << shape;
   }
+}
+
+TEST(HandleRemoval, AddsItsEffortToTheReport) {
+  const delaunay::Triangulation3 triangulation(
+      shapes::sample("plate", 1000, {.seed = 20, .noise = 1.5}));
+  const std::size_t n = triangulation.points().size();
+  const auto cleaned = clean_up(
+      n, umbrella_filter(n, ranked_triangles(triangulation)).triangles);
+  const auto close = [&](const ClosingOptions& options) {
+    return close_holes(triangulation, cleaned.triangles,
+                       find_holes(n, cleaned.triangles, cleaned.deleted,
+                                  cleaned.without_umbrella),
+                       options);
+  };
+  const ClosingOptions options = {.open_bores = false};
+  ClosingResult before = close({.handle_edges = 0, .open_bores = false});
+  const LocalRepair repair =
+      repair_locally(triangulation, options, before.triangles);
+  EXPECT_GT(repair.handles_removed, 0U);
+  EXPECT_GT(repair.conflicts, 0U);
+  const ClosingReport after = close(options).report;
+  EXPECT_EQ(after.conflicts, before.report.conflicts + repair.conflicts);
+  EXPECT_EQ(after.propagations,
+            before.report.propagations + repair.propagations);
 }
 
 /// Wherever it is up.

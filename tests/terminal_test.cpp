@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdlib>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -31,8 +32,9 @@ class Terminal : public ::testing::Test {
     const int terminal = new_terminal();
     if (terminal < 0) GTEST_SKIP() << "no pseudo-terminals";
     close(terminal);
-    const std::string line =
-        std::string(kCommandPath) + " generate sphere -n 300 -o " + points_;
+    const std::string line = std::string(kCommandPath) +
+                             " generate sphere -n 300 --noise 0.5 -o " +
+                             points_;
     ASSERT_EQ(std::system(line.c_str()), 0);
   }
 
@@ -99,6 +101,23 @@ TEST_F(Terminal, ShowsEachStageAndClearsTheLine) {
     ASSERT_NE(at, std::string::npos) << text;
   }
   EXPECT_THAT(text, EndsWith(kEmptyLine));
+}
+
+TEST_F(Terminal, CountsTheRegionsThatAreClosed) {
+  const std::string text = shown(2, {});
+  const std::size_t closing = text.find(kEmptyLine + std::string("closing"));
+  const std::size_t at = text.find(kEmptyLine + std::string("closing: "));
+  ASSERT_NE(at, std::string::npos) << text;
+  EXPECT_LT(closing, at);
+  EXPECT_LT(at, text.find(kEmptyLine + std::string("surface")));
+  const std::size_t last = text.rfind("closing: ");
+  std::istringstream words(text.substr(last));
+  std::string word;
+  std::size_t done = 0, all = 0;
+  words >> word >> done >> word >> all >> word;
+  EXPECT_GT(done, 0U);
+  EXPECT_EQ(done, all);
+  EXPECT_EQ(word.substr(0, 7), "regions");
 }
 
 TEST_F(Terminal, ShowsNoStagesWhereTheyAreNotWanted) {

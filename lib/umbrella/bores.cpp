@@ -115,7 +115,7 @@ class Opening {
         effort_(local_effort(options, triangulation.points().size(), 1)) {}
 
   bool open(const Bore& bore);
-  std::uint64_t propagations() const { return solver_.propagations(); }
+  const RegionSolver& solver() const { return solver_; }
 
  private:
   bool has_all(const FlatLid& lid) const;
@@ -205,7 +205,8 @@ OpenedBores open_bores(const delaunay::Triangulation3& triangulation,
   OpenedBores result;
   for (const Bore& bore : lidded_bores(lids))
     result.count += opening.open(bore) ? 1 : 0;
-  result.propagations = opening.propagations();
+  result.conflicts = opening.solver().conflicts();
+  result.propagations = opening.solver().propagations();
   return result;
 }
 

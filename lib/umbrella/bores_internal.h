@@ -13,6 +13,7 @@ namespace umbrella {
 
 struct OpenedBores {
   std::size_t count = 0;
+  std::uint64_t conflicts = 0;
   std::uint64_t propagations = 0;  ///< all that was taken off the effort
 };
 

@@ -81,6 +81,7 @@ class Closing {
   bool allow_pieces(Task& task);
   bool drop_points(Task& task);
   std::vector<LocatedTriangle> swallow(Task& task, Region& region);
+  void tell_progress(std::size_t n_done);
   void accept(const Attempt& solved);
   void give_up(const Task& task);
   bool label_cells();
@@ -99,6 +100,7 @@ class Closing {
   std::vector<VertexId> dropped_;
   std::vector<bool> is_undecided_;  // vertices of regions given up at a limit
   bool is_cut_short_ = false;       // by the clock or the caller
+  std::size_t n_told_ = 0;          // regions done with
   ClosingResult result_;
 };
 
@@ -106,6 +108,7 @@ ClosingResult Closing::run(std::span<const Hole> holes) {
   solve_as_given(merge_holes(holes, surface_));
   if (options_.mode == CloseMode::Best) repair_all();
   for (const Task& task : tasks_) give_up(task);
+  tell_progress(result_.report.regions);
   result_.report.conflicts += solver_.conflicts();
   result_.report.propagations += solver_.propagations();
   result_.report.timed_out |= solver_.is_timed_out();
@@ -161,9 +164,13 @@ std::vector<Attempt> Closing::attempts(std::span<const Region> regions,
   std::atomic<std::uint64_t> conflicts = 0;
   std::atomic<std::uint64_t> propagations = 0;
   std::atomic<bool> is_timed_out = false;
+  std::atomic<std::size_t> n_solved = 0;
   const auto work = [&](RegionSolver& solver) {
-    for (std::size_t i = next++; i < regions.size(); i = next++)
+    for (std::size_t i = next++; i < regions.size(); i = next++) {
       result[i] = solver.attempt(regions[i], efforts[i]);
+      if (result[i].outcome == Outcome::Solved) ++n_solved;
+      if (&solver == &solver_) tell_progress(n_solved);
+    }
   };
   {
     std::vector<std::jthread> others;
@@ -207,11 +214,21 @@ void Closing::repair_all() {
 }
 
 void Closing::repair(Task task) {
+  ClosingReport& report = result_.report;
   find_stuck(task);
   if (grow(task) || allow_pieces(task) || drop_points(task))
-    result_.report.grown += task.n_regions;
+    report.grown += task.n_regions;
   else
     give_up(task);
+  tell_progress(report.feasible + report.grown + report.infeasible +
+                report.undecided);
+}
+
+/// The first attempt at a region that closes a small piece may be in vain.
+void Closing::tell_progress(std::size_t n_done) {
+  if (!options_.on_progress || n_done <= n_told_) return;
+  n_told_ = n_done;
+  options_.on_progress(n_done, result_.report.regions);
 }
 
 void Closing::give_up(const Task& task) {
@@ -402,6 +419,7 @@ bool Closing::repair_locally(bool is_labelled) {
   }
   LocalRepair repaired =
       umbrella::repair_locally(triangulation_, options, result_.triangles);
+  result_.report.conflicts += repaired.conflicts;
   result_.report.propagations += repaired.propagations;
   result_.report.pieces_joined = repaired.pieces_joined;
   result_.report.brought_in = repaired.brought_in;
@@ -423,6 +441,7 @@ void Closing::open_bores(bool has_changed) {
   const OpenedBores opened =
       umbrella::open_bores(triangulation_, options, surface_);
   result_.report.bores_opened = opened.count;
+  result_.report.conflicts += opened.conflicts;
   result_.report.propagations += opened.propagations;
   if (result_.report.bores_opened > 0) result_.triangles = surface_.sorted();
 }

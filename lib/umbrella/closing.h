@@ -76,6 +76,10 @@ struct ClosingOptions {
   /// Whether points may be left out where nothing else helps. Then the surface
   /// is closed whatever happens, in the end by cell_labels.h.
   bool drop_points = true;
+  /// Called now and then by the thread that closes, with how many regions are
+  /// done with and how many there are: never with less than before, and at last
+  /// with all of them, if there are any.
+  std::function<void(std::size_t, std::size_t)> on_progress = {};
   /// Called after each search, always in the same order, with its program and
   /// whether that has a solution. The program holds the inequalities (2) to (5)
   /// of [Adamy02, Def. 3.3], those of (6) that the search has needed, and all
@@ -103,9 +107,10 @@ struct ClosingReport {
   std::size_t brought_in = 0;     ///< points that had been left out
   std::size_t handles_removed = 0;
   std::size_t bores_opened = 0;
+  /// Of all programs, those of the local repair and the bores included.
   std::uint64_t conflicts = 0;
-  /// All that was taken off efforts, those of the local repair and the bores
-  /// included; what making a program costs counts for some.
+  /// All that was taken off efforts for these; what making a program costs
+  /// counts for some.
   std::uint64_t propagations = 0;
   bool timed_out = false;  ///< the wall clock cut a search short
 };

@@ -110,7 +110,7 @@ class Repair {
   std::size_t bring_in();
   std::size_t remove_handles(HandleLoops& search, Loops loops);
   const std::vector<VertexId>& left_out() const { return left_out_; }
-  std::uint64_t propagations() const { return solver_.propagations(); }
+  const RegionSolver& solver() const { return solver_; }
   std::vector<LocatedTriangle> triangles() const { return surface_.sorted(); }
 
  private:
@@ -430,7 +430,8 @@ LocalRepair repair_locally(const delaunay::Triangulation3& triangulation,
   result.brought_in = repair.bring_in();
   if (options.handle_edges > 0)
     result.handles_removed = repair.remove_handles(search, std::move(loops));
-  result.propagations = repair.propagations();
+  result.conflicts = repair.solver().conflicts();
+  result.propagations = repair.solver().propagations();
   result.left_out = repair.left_out();
   triangles = repair.triangles();
   return result;

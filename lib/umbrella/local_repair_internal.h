@@ -16,7 +16,8 @@ struct LocalRepair {
   std::size_t pieces_joined = 0;
   std::size_t brought_in = 0;
   std::size_t handles_removed = 0;
-  std::uint64_t propagations = 0;  ///< ClosingReport::propagations
+  std::uint64_t conflicts = 0;     ///< as in ClosingReport
+  std::uint64_t propagations = 0;  ///< likewise
   std::vector<VertexId> left_out;  ///< on no triangle; ascending
 };
 
