@@ -116,54 +116,58 @@ std::vector<EssentialLoops::Loop> EssentialLoops::shortest_through(
 
 EssentialLoops::Loop EssentialLoops::shortest_through(VertexId start,
                                                       unsigned max_edges) {
-  walk(start, max_edges / 2);
-  unsigned best = max_edges + 1;
-  std::array<std::uint32_t, 2> last = {0, 0};
-  std::uint32_t last_edge = 0;
-  for (std::uint32_t a = 0; a < steps_.size(); ++a)
-    for (const auto& [end, edge] : labels_.spokes(steps_[a].vertex)) {
-      const std::uint32_t b = step_of_vertex_[index(end)];
-      if (b == kNone || b <= a) continue;
-      const unsigned length = steps_[a].depth + steps_[b].depth + 1;
-      if (length >= best || !is_essential(a, b, edge)) continue;
-      best = length;
-      last = {a, b};
-      last_edge = edge;
-    }
+  const Closing closing = walk(start, max_edges);
   Loop loop;
-  if (best <= max_edges) {
+  if (closing.n_edges <= max_edges) {
     std::vector<VertexId>& vertices = loop.vertices;
-    for (std::uint32_t at : last) {
+    for (std::uint32_t at : closing.steps) {
       for (; at != 0; at = steps_[at].from)
         vertices.push_back(steps_[at].vertex);
     }
     vertices.push_back(start);
     sort_unique(vertices);
-    loop.label = label_of_loop(last[0], last[1], last_edge);
+    const auto [a, b] = closing.steps;
+    loop.label = label_of_loop(a, b, closing.edge);
   }
   for (const Step& step : steps_) step_of_vertex_[index(step.vertex)] = kNone;
   return loop;
 }
 
-/// To all vertices within so many edges; the start is step 0.
-void EssentialLoops::walk(VertexId start, unsigned max_depth) {
+/// From the start, which is step 0, no farther than a loop leads that is
+/// shorter than those found. The first of the shortest ones is kept.
+EssentialLoops::Closing EssentialLoops::walk(VertexId start,
+                                             unsigned max_edges) {
+  Closing best = {{0, 0}, 0, max_edges + 1};
   steps_ = {{start, 0, 0}};
   label_of_step_.assign(labels_.n_words(), 0);
   step_of_vertex_[index(start)] = 0;
-  for (std::uint32_t i = 0; i < steps_.size(); ++i) {
-    if (steps_[i].depth == max_depth) break;
-    for (const auto& [end, edge] : labels_.spokes(steps_[i].vertex)) {
-      if (step_of_vertex_[index(end)] != kNone) continue;
-      step_of_vertex_[index(end)] = static_cast<std::uint32_t>(steps_.size());
-      steps_.push_back({end, i, steps_[i].depth + 1});
-      for (std::size_t w = 0; w < labels_.n_words(); ++w)
-        label_of_step_.push_back(label_of_step_[i * labels_.n_words() + w]);
-      const auto words = labels_.label(edge);
-      for (std::size_t w = 0; w < words.size(); ++w)
-        label_of_step_[label_of_step_.size() - labels_.n_words() + w] ^=
-            words[w];
+  for (std::uint32_t a = 0; a < steps_.size(); ++a) {
+    const unsigned depth = steps_[a].depth;
+    if (2 * depth + 1 >= best.n_edges) break;
+    for (const Spoke& spoke : labels_.spokes(steps_[a].vertex)) {
+      const std::uint32_t b = step_of_vertex_[index(spoke.end)];
+      if (b == kNone) {
+        if (2 * depth + 2 < best.n_edges) enter(a, spoke);
+        continue;
+      }
+      const unsigned n_edges = depth + steps_[b].depth + 1;
+      if (b > a && n_edges < best.n_edges && is_essential(a, b, spoke.edge))
+        best = {{a, b}, spoke.edge, n_edges};
     }
   }
+  return best;
+}
+
+/// A vertex not met before, along an edge from a step.
+void EssentialLoops::enter(std::uint32_t from, const Spoke& spoke) {
+  step_of_vertex_[index(spoke.end)] = static_cast<std::uint32_t>(steps_.size());
+  steps_.push_back({spoke.end, from, steps_[from].depth + 1});
+  const std::size_t n_words = labels_.n_words();
+  for (std::size_t w = 0; w < n_words; ++w)
+    label_of_step_.push_back(label_of_step_[from * n_words + w]);
+  const auto words = labels_.label(spoke.edge);
+  for (std::size_t w = 0; w < words.size(); ++w)
+    label_of_step_[label_of_step_.size() - n_words + w] ^= words[w];
 }
 
 /// The label of the loop that the edge between two steps closes.

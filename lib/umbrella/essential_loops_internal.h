@@ -2,6 +2,7 @@
 /// Short loops of a surface that do not bound on it.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -49,6 +50,12 @@ class EssentialLoops {
     std::uint32_t from;  // position among the steps
     unsigned depth;
   };
+  /// The edge between two steps that closes a loop.
+  struct Closing {
+    std::array<std::uint32_t, 2> steps;  // ascending
+    std::uint32_t edge;
+    unsigned n_edges;  // of the loop
+  };
   struct Loop {
     std::vector<VertexId> vertices;  // ascending
     std::vector<Word> label;
@@ -60,7 +67,8 @@ class EssentialLoops {
                                      unsigned max_edges);
   Found sort_out(std::vector<Loop> loops);
   Loop shortest_through(VertexId start, unsigned max_edges);
-  void walk(VertexId start, unsigned max_depth);
+  Closing walk(VertexId start, unsigned max_edges);
+  void enter(std::uint32_t from, const Spoke& spoke);
   std::vector<Word> label_of_loop(std::size_t a, std::size_t b,
                                   std::uint32_t edge) const;
   bool is_essential(std::size_t a, std::size_t b, std::uint32_t edge) const;
