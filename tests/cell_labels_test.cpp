@@ -296,6 +296,9 @@ TEST(CellLabels, CloseTheSurfaceEvenIfStopped) {
   EXPECT_GT(stopped.left_out.size(), whole.left_out.size());
   EXPECT_LT(10 * stopped.left_out.size(), t.points().size());
   EXPECT_EQ(stopped.report.improvements, 0U);
+  const auto late =
+      close_by_cell_labels(t, kept, all_vertices(t), {.seconds = 0});
+  EXPECT_EQ(corners_of(late.triangles), corners_of(stopped.triangles));
 }
 
 /// A sphere, and a tetrahedron that stands beside it.

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <random>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "apps/shapes.h"
@@ -124,6 +125,24 @@ TEST(RegionSolver, LeavesOutNoPointThatItCouldKeep) {
   }
   EXPECT_GT(n_dropped, 50U);
   EXPECT_GT(n_kept, 50U);
+}
+
+TEST(RegionSolver, BeginsNoProgramThatTheClockWouldCutShort) {
+  const Triangulation3 t(shapes::sample("uniform", 2000, {}));
+  Hull hull(t);
+  const ClosingOptions options = {.seconds = 0.04};
+  RegionSolver solver(t, options, hull.surface, hull.is_open, hull.groups);
+  const Region region = {.vertices = hull.inner, .stuck = {}};
+  auto candidates = solver.candidates(region);
+  const std::size_t n = candidates.size();
+  ASSERT_GT(n, 20'000U);
+  Effort effort = {1'000'000, 1'000'000'000};
+  const Attempt attempt =
+      solver.attempt({region, std::move(candidates)}, effort, {});
+  EXPECT_EQ(attempt.outcome, Outcome::Undecided);
+  EXPECT_EQ(attempt.n_candidates, n);
+  EXPECT_EQ(attempt.n_variables, 0U);
+  EXPECT_TRUE(solver.is_timed_out());
 }
 
 TEST(RegionSolver, NamesWhatIsStuckWhereNothingMayBeLeftOut) {

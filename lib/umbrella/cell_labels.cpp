@@ -3,6 +3,7 @@
 // so. Each step is deterministic, and has a proof of its end in docs/labels.md.
 #include "umbrella/cell_labels.h"
 
+#include <cmath>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -12,18 +13,36 @@
 #include "umbrella/label_mending_internal.h"
 #include "umbrella/label_moves_internal.h"
 #include "umbrella/label_window_internal.h"
+#include "umbrella/stopwatch.h"
 
 namespace umbrella {
 namespace {
+
+/// The options, and the time since they were given.
+class Order {
+ public:
+  explicit Order(const CellLabelOptions& options) : options_(options) {}
+
+  const CellLabelOptions& options() const { return options_; }
+  bool is_over() const {
+    return (options_.stop != nullptr && *options_.stop) ||
+           (std::isfinite(options_.seconds) &&
+            watch_.seconds() >= options_.seconds);
+  }
+
+ private:
+  const CellLabelOptions& options_;
+  Stopwatch watch_;
+};
 
 /// Ties go by the numbers of cells here. @return none if the labels have left a
 /// window
 std::optional<CellLabelReport> close_canonical(
     LabelFrame& frame, std::span<const LocatedTriangle> kept,
-    const CellLabelOptions& options, Labelling& labels) {
+    const Order& order, Labelling& labels) {
   CellLabelReport report;
   label_worst_first(frame, kept, labels);
-  if (!labels.faulty_vertices().empty()) {
+  if (!order.is_over() && !labels.faulty_vertices().empty()) {
     const auto held = held_by_cut(frame, kept, labels);
     frame.keep(held);
     label_worst_first(frame, held, labels);
@@ -32,21 +51,19 @@ std::optional<CellLabelReport> close_canonical(
   if (labels.has_left_window()) return std::nullopt;
 
   LabelMoves moves(frame, labels);
-  const auto is_stopped = [&] {
-    return options.stop != nullptr && *options.stop;
-  };
   bool goes_on = true;
-  while (goes_on && !is_stopped()) {
-    report.dissolved += moves.dissolve(options.piece_triangles);
-    std::size_t n = moves.bring_in(unused_vertices(labels));
-    n += moves.reach(unused_vertices(labels));
+  while (goes_on && !order.is_over()) {
+    report.dissolved += moves.dissolve(order.options().piece_triangles);
+    report.brought_in += moves.bring_in(unused_vertices(labels));
+    if (order.is_over()) break;
+    report.brought_in += moves.reach(unused_vertices(labels));
     if (labels.has_left_window()) return std::nullopt;
+    if (order.is_over()) break;
     const std::size_t n_exchanged = moves.exchange();
-    report.brought_in += n;
     report.improvements += n_exchanged;
     goes_on = n_exchanged > 0 && !unused_vertices(labels).empty();
   }
-  if (is_stopped())
+  if (order.is_over())
     report.brought_in += moves.bring_in(unused_vertices(labels));
   if (labels.has_left_window()) return std::nullopt;
   for (const LocatedTriangle& t : kept)
@@ -64,14 +81,14 @@ delaunay::Facet in_lower_cell(const delaunay::Triangulation3& triangulation,
 std::optional<CellLabelResult> close_in_window(
     const delaunay::Triangulation3& triangulation,
     std::span<const LocatedTriangle> kept, std::span<const VertexId> open,
-    const CellLabelOptions& options) {
+    const Order& order) {
   if (kept.empty()) return std::nullopt;
   const LabelWindow window(triangulation, kept, open);
   if (!window.is_small()) return std::nullopt;
-  LabelFrame frame(window, options.weight);
+  LabelFrame frame(window, order.options().weight);
   Labelling labels(window.triangulation());
   labels.set_border(window.border());
-  const auto report = close_canonical(frame, window.kept(), options, labels);
+  const auto report = close_canonical(frame, window.kept(), order, labels);
   if (!report) return std::nullopt;
   CellLabelResult result;
   result.report = *report;
@@ -84,16 +101,17 @@ std::optional<CellLabelResult> close_in_window(
 CellLabelResult close_in_whole(const delaunay::Triangulation3& triangulation,
                                std::span<const LocatedTriangle> kept,
                                std::span<const VertexId> open,
-                               const CellLabelOptions& options) {
+                               const Order& order) {
   const delaunay::CanonicalCells cells(triangulation);
   std::vector<LocatedTriangle> located(kept.begin(), kept.end());
   for (LocatedTriangle& t : located)
     t.facet =
         in_lower_cell(cells.triangulation(), cells.from_original(t.facet));
-  LabelFrame frame(cells.triangulation(), options.weight, located, open);
+  LabelFrame frame(cells.triangulation(), order.options().weight, located,
+                   open);
   Labelling labels(cells.triangulation());
   CellLabelResult result;
-  result.report = *close_canonical(frame, located, options, labels);
+  result.report = *close_canonical(frame, located, order, labels);
   result.triangles = labels.surface();
   for (LocatedTriangle& t : result.triangles)
     t.facet = in_lower_cell(triangulation, cells.to_original(t.facet));
@@ -108,10 +126,11 @@ CellLabelResult close_by_cell_labels(
     std::span<const LocatedTriangle> kept, std::span<const VertexId> open,
     const CellLabelOptions& options) {
   if (triangulation.dimension() < 3) return {};
+  const Order order(options);
   if (options.is_closed_elsewhere)
-    if (auto result = close_in_window(triangulation, kept, open, options))
+    if (auto result = close_in_window(triangulation, kept, open, order))
       return std::move(*result);
-  return close_in_whole(triangulation, kept, open, options);
+  return close_in_whole(triangulation, kept, open, order);
 }
 
 }  // namespace umbrella

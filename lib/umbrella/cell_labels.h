@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -20,10 +21,12 @@ struct CellLabelOptions {
   /// Closed pieces of at most so many triangles are dissolved if their points
   /// can be reached from elsewhere.
   std::size_t piece_triangles = 12;
-  /// Once true, points are brought in only by single cells and nothing is
-  /// improved: what is left to do takes little time, and the result is closed
-  /// all the same.
+  /// Once true, there is no second look at the first labels, points are brought
+  /// in only by single cells and nothing is improved: what is left to do takes
+  /// little time, and the result is closed all the same.
   const std::atomic<bool>* stop = nullptr;
+  /// Likewise after so much wall clock; then the result depends on the machine.
+  double seconds = std::numeric_limits<double>::infinity();
   /// The caller promises that `kept` ascends by corners and is manifold at all
   /// vertices that are neither open nor bare. The result is the same. Where
   /// these are few, the time goes with their number, but for some passes over

@@ -389,7 +389,6 @@ void Closing::accept(const Attempt& solved) {
 /// Closes what is still open, and brings in points that were left out.
 /// @return whether there was anything to do
 bool Closing::label_cells() {
-  static constexpr std::atomic<bool> kStop = true;
   const ClosingReport& report = result_.report;
   result_.report.labelled = report.infeasible + report.undecided;
   if (report.labelled == 0 && dropped_.empty()) return false;
@@ -400,7 +399,8 @@ bool Closing::label_cells() {
       close_by_cell_labels(triangulation_, result_.triangles, open,
                            {.weight = options_.weight,
                             .piece_triangles = options_.piece_triangles,
-                            .stop = solver_.is_over() ? &kStop : options_.stop,
+                            .stop = options_.stop,
+                            .seconds = solver_.seconds_left(),
                             .is_closed_elsewhere = true});
   result_.triangles = std::move(labelled.triangles);
   dropped_ = std::move(labelled.left_out);

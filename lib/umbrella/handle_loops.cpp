@@ -16,18 +16,23 @@ using Seam = EssentialLoops::Seam;
 using Vertices = std::vector<VertexId>;
 
 /// With all vertices within so many edges; ascending.
-Vertices widened(const WorkingSurface& surface, Vertices vertices,
-                 unsigned n_edges) {
-  for (unsigned ring = 0; ring < n_edges; ++ring) {
-    const std::size_t n = vertices.size();
-    for (std::size_t i = 0; i < n; ++i)
-      surface.for_each_at(vertices[i], [&](TriangleIndex t) {
-        const Triangle& corners = surface.corners(t);
-        vertices.insert(vertices.end(), corners.begin(), corners.end());
+Vertices widened(const WorkingSurface& surface,
+                 std::span<const VertexId> vertices, unsigned n_edges) {
+  std::vector<bool> is_met(surface.n_vertices());
+  Vertices result;
+  const auto enter = [&](VertexId v) {
+    if (!is_met[index(v)]) result.push_back(v);
+    is_met[index(v)] = true;
+  };
+  for (const VertexId v : vertices) enter(v);
+  std::size_t next = 0;
+  for (unsigned ring = 0; ring < n_edges; ++ring)
+    for (const std::size_t end = result.size(); next < end; ++next)
+      surface.for_each_at(result[next], [&](TriangleIndex t) {
+        for (const VertexId corner : surface.corners(t)) enter(corner);
       });
-    sort_unique(vertices);
-  }
-  return vertices;
+  std::sort(result.begin(), result.end());
+  return result;
 }
 
 /// Triangles of which each has a corner among some vertices.
@@ -198,8 +203,7 @@ void HandleLoops::set_max_edges(unsigned max_edges) {
 HandleLoops::Loops HandleLoops::about(const WorkingSurface& surface,
                                       std::span<const VertexId> changed) {
   const unsigned reach = max_edges_ / 2;
-  Vertices starts =
-      widened(surface, Vertices(changed.begin(), changed.end()), reach);
+  Vertices starts = widened(surface, changed, reach);
   starts.insert(starts.end(), on_loops_.begin(), on_loops_.end());
   sort_unique(starts);
   Near near = near_triangles(surface, widened(surface, starts, reach));

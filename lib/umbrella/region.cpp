@@ -39,14 +39,21 @@ std::vector<VertexId> united(std::span<const VertexId> a,
 std::vector<VertexId> vertices_of(const Region& region,
                                   std::span<const LocatedTriangle> candidates) {
   if (region.stuck.empty()) return region.vertices;
-  std::vector<VertexId> others;
+  std::size_t n = 0;  // vertices of the triangulation that matter
+  for (const VertexId v : region.vertices) n = std::max(n, index(v) + 1);
   for (const LocatedTriangle& c : candidates)
-    for (const VertexId v : c.corners)
-      if (!std::binary_search(region.vertices.begin(), region.vertices.end(),
-                              v))
-        others.push_back(v);
-  sort_unique(others);
-  return united(region.vertices, others);
+    n = std::max(n, index(c.corners[2]) + 1);
+  std::vector<bool> is_met(n);
+  std::vector<VertexId> result = region.vertices;
+  for (const VertexId v : result) is_met[index(v)] = true;
+  for (const LocatedTriangle& c : candidates)
+    for (const VertexId v : c.corners) {
+      if (is_met[index(v)]) continue;
+      is_met[index(v)] = true;
+      result.push_back(v);
+    }
+  std::sort(result.begin(), result.end());
+  return result;
 }
 
 std::vector<Region> merge_holes(std::span<const Hole> holes,

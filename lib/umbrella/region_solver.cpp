@@ -13,6 +13,10 @@ namespace {
 /// propagation takes about 1 us (a region of 22000 vertices of a noisy scan).
 constexpr std::uint64_t kStepsPerVariable = 6;
 
+/// Likewise in seconds, at the least: of 4 million variables 10 s, with what
+/// the solver makes of them.
+constexpr double kSecondsPerVariable = 2e-6;
+
 /// Vertices of a walk over the surface that take as long as one propagation:
 /// 0.14 us each (a lattice of 30000 points).
 constexpr std::uint64_t kWalkStepsOfPropagation = 8;
@@ -85,9 +89,24 @@ Attempt RegionSolver::attempt(const Region& region, Effort& effort,
   return attempt({region, candidates(region)}, effort, how);
 }
 
+/// Whether the time is too short for a program. It is not begun then, so that
+/// the limit is kept. @return Undecided if so
+std::optional<Attempt> RegionSolver::too_late_for(std::size_t n_candidates) {
+  const double least = kSecondsPerVariable * static_cast<double>(n_candidates);
+  const bool is_late =
+      std::isfinite(options_.seconds) && seconds_left() < least;
+  if (!is_late && !is_over()) return {};
+  is_timed_out_ = is_timed_out_ || is_late;
+  Attempt undecided;
+  undecided.n_candidates = n_candidates;
+  return undecided;
+}
+
 Attempt RegionSolver::attempt(Proposal proposal, Effort& effort,
                               const AttemptOptions& how) {
   const std::vector<LocatedTriangle>& candidates = proposal.candidates;
+  if (auto undecided = too_late_for(candidates.size()))
+    return std::move(*undecided);
   ClosingProgram program(
       surface_,
       {candidates, vertices_of(proposal.region, candidates), how.may_drop},
@@ -97,7 +116,7 @@ Attempt RegionSolver::attempt(Proposal proposal, Effort& effort,
   Work work(std::move(proposal.candidates), std::move(program));
   work.allowed = how.allowed;
   work.effort = {effort.conflicts / 2, effort.propagations / 2};
-  if (!how.is_likely || (!solve_in_order(work) && !is_over())) {
+  if (!(how.is_likely && solve_in_order(work)) && !is_over()) {
     conflicts_ += work.solver.statistics().conflicts;
     add_sides(work);
     if (work.worst_first.empty() && !is_refuted(work)) order_worst_first(work);
@@ -122,7 +141,7 @@ bool RegionSolver::solve_in_order(Work& work) {
   if (options_.mode == CloseMode::Paper || !work.program.droppable().empty())
     return false;
   make_solver(work);
-  if (is_refuted(work)) return false;
+  if (is_over() || is_refuted(work)) return false;
   order_worst_first(work);
   work.solver.set_priority(work.worst_first);
   work.solver.set_branching(ilp::Branching::Static);

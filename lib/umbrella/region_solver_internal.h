@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -73,6 +74,8 @@ class RegionSolver {
 
  private:
   struct Work;  // one attempt
+
+  std::optional<Attempt> too_late_for(std::size_t n_candidates);
 
   /// @pre the cells of the candidates are the last ones collected
   void add_sides(Work& work) const;
