@@ -30,18 +30,19 @@ TEST(HandleRemoval, CutsHandlesAtLongerLoops) {
   EXPECT_TRUE(result.surface.unused_vertices.empty());
 }
 
-/// Short loops go round these handles. Of ten samples each, eight and six kept
-/// them when no look was taken at the triangles.
+/// Short loops go round these handles. Of ten samples each, eight, four and
+/// eight kept them when only the worst triangle was asked.
 TEST(HandleRemoval, KeepsHandlesOfFewPointsWithGoodTriangles) {
-  for (const auto& [shape, n, genus, least] :
-       {std::tuple{"torus", 90, 1, 10}, {"3holes", 400, 3, 8}}) {
+  for (const auto& [shape, n, genus, least] : {std::tuple{"torus", 90, 1, 10},
+                                               {"3holes", 300, 3, 9},
+                                               {"3holes", 400, 3, 10}}) {
     int n_right = 0;
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
       const std::vector<Point3> points = shapes::sample(
           shape, static_cast<std::size_t>(n), {.seed = seed, .noise = 0});
       n_right += reconstruct(points).surface.genus == genus ? 1 : 0;
     }
-    EXPECT_GE(n_right, least) << shape;
+    EXPECT_GE(n_right, least) << shape << ", " << n << " points";
   }
 }
 

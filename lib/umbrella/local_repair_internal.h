@@ -34,10 +34,10 @@ struct LocalRepair {
 /// - if that has removed any, about loops of up to twice as many edges, for one
 ///   whose two sides are closed apart from each other.
 ///
-/// But for loops of three edges, a handle goes only if its worst triangle is as
-/// bad as those that come are on average, by options.weight. Where a short loop
-/// does not give way to a short search it is cut as well, if its worst triangle
-/// is as bad as the mean of that average and the worst that comes.
+/// But for loops of three edges, a handle stays if the triangles that would
+/// come are on average 1.4 times as bad as those that would go, by
+/// options.weight; of a longer loop than options.handle_edges, if they are
+/// worse on average than the worst of those.
 ///
 /// No point is lost, and components never become more.
 ///
