@@ -17,6 +17,7 @@
 
 #include "umbrella/bores_internal.h"
 #include "umbrella/flat_lids_internal.h"
+#include "umbrella/lidded_bores_internal.h"
 #include "umbrella/reconstruct.h"
 
 namespace umbrella {
@@ -230,6 +231,75 @@ TEST(Bores, GoThroughAFlange) {
     ASSERT_FALSE(HasFatalFailure());
   }
   EXPECT_GE(n_opened, 6U);
+}
+
+/// About most of these bores a part of the face has been lost, and the air is
+/// between their walls and the outer one.
+TEST(Bores, BringTheFaceAboutThemBack) {
+  std::mt19937_64 rng(6);
+  std::uniform_real_distribution<double> unit(0, 1);
+  std::size_t n_opened = 0;
+  for (int trial = 0; trial < 12; ++trial) {
+    SCOPED_TRACE(testing::Message() << "trial " << trial);
+    const double h = 0.05 + 0.1 * unit(rng), height = 0.4 + 0.6 * unit(rng);
+    const int n = 8 + static_cast<int>(rng() % 16);
+    Points points;
+    for (const double z : {0.0, h}) {
+      add_ring({}, z, 48, points);
+      for (int i = 0; i < 6; ++i) {
+        const double angle = std::numbers::pi * i / 3;
+        add_ring({0.75 * std::cos(angle), 0.75 * std::sin(angle), 0.08}, z, n,
+                 points);
+      }
+    }
+    for (const double z : {h, height}) add_ring({.radius = 0.5}, z, 32, points);
+    for (const double z : {0.0, height})
+      add_ring({.radius = 0.35}, z, 24, points);
+    open_each(placed(points, trial, rng), 7, n_opened);
+    ASSERT_FALSE(HasFatalFailure());
+  }
+  EXPECT_GE(n_opened, 3U);
+}
+
+/// A body with a pit that ends in a point, and on its other side a circle.
+Points pitted(double radius, int n_points_of_mouth) {
+  Points points;
+  for (const double z : {0.0, 1.0}) add_ring({}, z, 40, points);
+  add_ring({.radius = 0.4}, 0, 24, points);
+  Points mouth;
+  add_ring({.radius = radius}, 1, 24, mouth);
+  mouth.resize(n_points_of_mouth);
+  points.insert(points.end(), mouth.begin(), mouth.end());
+  points.emplace_back(0, 0, 0.4);
+  return points;
+}
+
+std::vector<LiddedBore> bores_of(const Points& points) {
+  const Closed closed_surface(points, closed(points, false));
+  Effort effort = {0, 10000};
+  return find_lidded_bores(closed_surface.triangulation, closed_surface.surface,
+                           effort);
+}
+
+/// The point in the pit is what keeps a lid off its mouth.
+TEST(Bores, GoFromALidToAMouth) {
+  const Points points = pitted(0.4, 24);
+  const std::vector<LiddedBore> bores = bores_of(points);
+  ASSERT_EQ(bores.size(), 1U);
+  EXPECT_EQ(bores[0].lids.size(), 22U);
+  EXPECT_EQ(bores[0].ends.size(), 2U);
+  EXPECT_EQ(bores[0].rims.size(), 48U);
+  EXPECT_EQ(closed(points, false).surface.genus, 0);
+  EXPECT_EQ(closed(points, true).surface.genus, 1);
+}
+
+TEST(Bores, GoFromALidToAMouthOfItsSizeOnly) {
+  EXPECT_TRUE(bores_of(pitted(0.45, 24)).empty());
+}
+
+TEST(Bores, GoFromALidToAMouthThatIsAllRound) {
+  EXPECT_EQ(bores_of(pitted(0.4, 23)).size(), 1U);
+  EXPECT_TRUE(bores_of(pitted(0.4, 20)).empty());
 }
 
 /// The lid at the wide end alone has no reason to be there.

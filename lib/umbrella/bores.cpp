@@ -1,7 +1,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
+#include <cstdint>
+#include <map>
 #include <optional>
 #include <set>
 #include <span>
@@ -10,130 +11,90 @@
 
 #include "umbrella/bores_internal.h"
 #include "umbrella/flat_lids_internal.h"
+#include "umbrella/lidded_bores_internal.h"
 #include "umbrella/region_solver_internal.h"
-#include "umbrella/surface.h"
 
 namespace umbrella {
 namespace {
 
-/// Turns the normals of the lids outward.
-void turn_outward(const delaunay::Triangulation3& triangulation,
-                  const WorkingSurface& surface, std::vector<FlatLid>& lids) {
-  std::vector<LocatedTriangle> triangles;
-  std::vector<std::size_t> place(surface.n_indices());
-  for (TriangleIndex t = 0; t < surface.n_indices(); ++t) {
-    place[t] = triangles.size();
-    if (surface.contains(t)) triangles.push_back(surface.triangle(t));
-  }
-  const OrientedSurface oriented = orient(triangulation.points(), triangles);
-  for (FlatLid& lid : lids) {
-    const auto& [a, b, c] = oriented.triangles[place[lid.triangles[0]]];
-    const auto points = triangulation.points();
-    const Point3 u = (points[b] - points[a]).stableNormalized();
-    const Point3 v = (points[c] - points[a]).stableNormalized();
-    const Point3 outward = u.cross(v);
-    if (outward.dot(lid.normal) < 0) lid.normal = -lid.normal;
-  }
+using Edge = std::pair<VertexId, VertexId>;  // ascending
+
+bool is_before(const LocatedTriangle& a, const LocatedTriangle& b) {
+  return a.corners < b.corners;
 }
 
-/// How far the body goes on behind a until b, if they are two ends of a bore.
-std::optional<double> depth(const FlatLid& a, const FlatLid& b) {
-  constexpr double kSlack = FlatLid::kTolerance;
-  const Point3 axis = b.center - a.center;
-  const double along = -axis.dot(a.normal);
-  const bool is_behind = along > 0 && a.normal.dot(b.normal) < 0;
-  if (is_behind && a.normal.cross(b.normal).norm() <= kSlack &&
-      axis.cross(a.normal).norm() <= kSlack * (a.radius + along))
-    return along;
-  return {};
-}
-
-/// Whether a lid is no wider than what lies between the points of its face.
-bool is_narrow(const FlatLid& lid) {
-  constexpr double kLeastRadius = 1.5;
-  return lid.radius < kLeastRadius * lid.spacing;
-}
-
-/// Of two ends of a bore those that have to go, so that most corners of a rim
-/// have a reason to be there. The ends of a bore with steps differ, and one may
-/// be right; those of one without steps are the same, and judged together.
-std::vector<const FlatLid*> unexplained(const FlatLid& a, const FlatLid& b) {
-  if (std::abs(a.radius - b.radius) <= FlatLid::kTolerance * a.radius) {
-    if (2 * (a.n_flat + b.n_flat) > a.rim.size() + b.rim.size())
-      return {&a, &b};
-    return {};
-  }
-  std::vector<const FlatLid*> result;
-  for (const FlatLid* lid : {&a, &b})
-    if (2 * lid->n_flat > lid->rim.size()) result.push_back(lid);
-  return result;
-}
-
-/// A bore and what is in its way.
-struct Bore {
-  std::vector<VertexId> rims;  // ascending
-  std::vector<const FlatLid*> lids;
-};
-
-/// Each lid with the nearest one behind it: first < second.
-std::set<std::pair<std::size_t, std::size_t>> facing_pairs(
-    std::span<const FlatLid> lids) {
-  std::set<std::pair<std::size_t, std::size_t>> result;
-  for (std::size_t i = 0; i < lids.size(); ++i) {
-    std::optional<double> least;
-    std::size_t nearest = i;
-    for (std::size_t k = 0; k < lids.size(); ++k) {
-      const auto along = depth(lids[i], lids[k]);
-      if (!along || (least && *least <= *along)) continue;
-      least = along;
-      nearest = k;
-    }
-    if (least) result.insert(std::minmax(i, nearest));
-  }
-  return result;
-}
-
-std::vector<Bore> lidded_bores(std::span<const FlatLid> lids) {
-  std::vector<Bore> result;
-  for (const auto& [first, second] : facing_pairs(lids)) {
-    const FlatLid &a = lids[first], &b = lids[second];
-    Bore bore = {united(a.rim, b.rim), unexplained(a, b)};
-    if (!bore.lids.empty()) result.push_back(std::move(bore));
-  }
-  return result;
+/// Whether it lies in one of the rims.
+bool closes_end(const LocatedTriangle& t, const LiddedBore& bore) {
+  return std::any_of(bore.ends.begin(), bore.ends.end(),
+                     [&](const BoreEnd& end) {
+                       return std::includes(end.rim.begin(), end.rim.end(),
+                                            t.corners.begin(), t.corners.end());
+                     });
 }
 
 class Opening {
  public:
   Opening(const delaunay::Triangulation3& triangulation,
-          const ClosingOptions& options, WorkingSurface& surface)
-      : options_(options),
+          const ClosingOptions& options, WorkingSurface& surface,
+          LocalEffort& effort)
+      : points_(triangulation.points()),
+        unit_(lid_unit(triangulation)),
+        options_(options),
         surface_(surface),
         is_open_(triangulation.points().size()),
         groups_(triangulation, {}, surface),
         solver_(triangulation, options, surface, is_open_, groups_),
-        effort_(local_effort(options, triangulation.points().size(), 1)) {}
+        effort_(effort) {}
 
-  bool open(const Bore& bore);
+  bool open(const LiddedBore& bore);
   const RegionSolver& solver() const { return solver_; }
 
  private:
-  bool has_all(const FlatLid& lid) const;
-  std::vector<VertexId> ringed(std::span<const VertexId> vertices);
-  bool attempt(const Region& region,
-               std::span<const LocatedTriangle> lid_triangles);
+  using Triangles = std::vector<LocatedTriangle>;
+  struct Rings {
+    int least, most;
+  };
 
+  Point3 point(VertexId v) const { return unit_ * points_[index(v)]; }
+  std::optional<TriangleIndex> index_of(const LocatedTriangle& triangle) const;
+  std::vector<TriangleIndex> indices(const Triangles& triangles) const;
+  std::vector<VertexId> ringed(std::span<const VertexId> vertices);
+  std::set<Edge> edges_round(const BoreEnd& end) const;
+  Triangles face_about(const BoreEnd& end);
+  bool open(const LiddedBore& bore, const Triangles& faces, Rings rings);
+  bool attempt(const Region& region, const LiddedBore& bore,
+               const Triangles& faces);
+  Attempt solution(const Region& region, const LiddedBore& bore,
+                   const Triangles& faces);
+
+  std::span<const Point3> points_;
+  const double unit_;
   const ClosingOptions& options_;
   WorkingSurface& surface_;
   std::vector<bool> is_open_;  // none
   PointGroups groups_;
   RegionSolver solver_;
-  LocalEffort effort_;
+  LocalEffort& effort_;  // for all bores
 };
 
-bool Opening::has_all(const FlatLid& lid) const {
-  return std::all_of(lid.triangles.begin(), lid.triangles.end(),
-                     [this](TriangleIndex t) { return surface_.contains(t); });
+std::optional<TriangleIndex> Opening::index_of(
+    const LocatedTriangle& triangle) const {
+  std::optional<TriangleIndex> result;
+  surface_.for_each_at(triangle.corners[0], [&](TriangleIndex t) {
+    if (surface_.corners(t) == triangle.corners) result = t;
+  });
+  return result;
+}
+
+/// Empty if some are not on the surface any more.
+std::vector<TriangleIndex> Opening::indices(const Triangles& triangles) const {
+  std::vector<TriangleIndex> result;
+  for (const LocatedTriangle& triangle : triangles) {
+    const auto t = index_of(triangle);
+    if (!t) return {};
+    result.push_back(*t);
+  }
+  return result;
 }
 
 /// With the vertices joined to these; what has been left out stays out, so that
@@ -144,69 +105,143 @@ std::vector<VertexId> Opening::ringed(std::span<const VertexId> vertices) {
   return result;
 }
 
-/// Tries the rims by themselves, then with one ring of Delaunay edges about
-/// them, then with two.
-bool Opening::open(const Bore& bore) {
-  constexpr int kRings = 2;
-  std::vector<LocatedTriangle> lid_triangles;
-  for (const FlatLid* lid : bore.lids) {
-    if (!has_all(*lid)) return false;
-    for (const TriangleIndex t : lid->triangles)
-      lid_triangles.push_back(surface_.triangle(t));
+/// Those between vertices of a rim that follow each other round it.
+std::set<Edge> Opening::edges_round(const BoreEnd& end) const {
+  const Point3 x = point(end.rim[0]) - end.center;
+  const Point3 y = end.normal.cross(x);
+  std::vector<std::pair<double, VertexId>> round;
+  for (const VertexId v : end.rim) {
+    const Point3 arm = point(v) - end.center;
+    round.emplace_back(std::atan2(arm.dot(y), arm.dot(x)), v);
   }
-  for (const FlatLid* lid : bore.lids)
-    for (const TriangleIndex t : lid->triangles) surface_.remove(t);
+  std::sort(round.begin(), round.end());
+  std::set<Edge> result;
+  VertexId last = round.back().second;
+  for (const auto& [angle, v] : round)
+    result.insert(std::minmax(std::exchange(last, v), v));
+  return result;
+}
+
+/// The flat triangles about the end with an edge of the rim; none if they are
+/// not one on most of these each.
+Opening::Triangles Opening::face_about(const BoreEnd& end) {
+  constexpr double kSlack = FlatLid::kTolerance;
+  const std::set<Edge> edges = edges_round(end);
+  std::map<Edge, Triangles> at;
+  Region region;
+  region.vertices = ringed(end.rim);
+  for (const LocatedTriangle& t : solver_.candidates(region))
+    for (unsigned i = 0; i < 3; ++i) {
+      const VertexId a = t.corners[(i + 1) % 3], b = t.corners[(i + 2) % 3];
+      const Point3 arm = point(t.corners[i]) - end.center;
+      if (edges.contains(std::minmax(a, b)) &&
+          arm.norm() > (1 + kSlack) * end.radius &&
+          std::abs(arm.dot(end.normal)) <= kSlack * arm.norm())
+        at[std::minmax(a, b)].push_back(t);
+    }
+  Triangles result;
+  for (const auto& [edge, triangles] : at)
+    if (triangles.size() == 1) result.push_back(triangles[0]);
+  if (2 * result.size() <= edges.size()) result.clear();
+  return result;
+}
+
+/// Tries the region of the rims with so many rings of Delaunay edges about
+/// them.
+///
+/// @param faces  to be taken, whatever else is
+bool Opening::open(const LiddedBore& bore, const Triangles& faces,
+                   Rings rings) {
   Region region;
   region.vertices = bore.rims;
-  for (int ring = 0; ring <= kRings; ++ring) {
+  for (int ring = 0; ring <= rings.most; ++ring) {
     if (effort_.all.is_spent() || solver_.is_over()) break;
     if (ring > 0) region.vertices = ringed(region.vertices);
-    if (attempt(region, lid_triangles)) return true;
+    if (ring >= rings.least && attempt(region, bore, faces)) return true;
   }
-  for (const FlatLid* lid : bore.lids)
-    for (const TriangleIndex t : lid->triangles) surface_.put_back(t);
   return false;
+}
+
+/// First with the faces about the ends, parts of which may have been lost. The
+/// face at a rim is what says that it is the end of a bore and not of a shaft.
+bool Opening::open(const LiddedBore& bore) {
+  constexpr Rings kPlain = {0, 2}, kWithFaces = {1, 3};
+  if (indices(bore.lids).empty()) return false;
+  Triangles faces;
+  std::size_t n_faces = 0;
+  for (const BoreEnd& end : bore.ends) {
+    const Triangles face = face_about(end);
+    n_faces += face.empty() ? 0 : 1;
+    faces.insert(faces.end(), face.begin(), face.end());
+  }
+  std::sort(faces.begin(), faces.end(), is_before);
+  return (n_faces == bore.ends.size() && open(bore, faces, kWithFaces)) ||
+         (!bore.is_half_open && open(bore, {}, kPlain));
 }
 
 /// Takes the surface that solves the program without the lids, if it has one
 /// handle more than the one with them.
-bool Opening::attempt(const Region& region,
-                      std::span<const LocatedTriangle> lid_triangles) {
-  std::vector<LocatedTriangle> candidates = solver_.candidates(region);
-  std::erase_if(candidates, [&](const LocatedTriangle& t) {
-    return std::any_of(
-        lid_triangles.begin(), lid_triangles.end(),
-        [&](const LocatedTriangle& l) { return l.corners == t.corners; });
-  });
-  const Attempt solved = effort_.all.lend(
-      effort_.conflicts_of_each, options_.propagations, [&](Effort& lent) {
-        return solver_.attempt({region, std::move(candidates)}, lent, {});
-      });
+bool Opening::attempt(const Region& region, const LiddedBore& bore,
+                      const Triangles& faces) {
+  Attempt solved = solution(region, bore, faces);
   if (solved.outcome != Outcome::Solved ||
-      solved.chosen.size() !=
-          solved.freed.size() + lid_triangles.size() + kTrianglesOfHandle ||
+      solved.chosen.size() != solved.freed.size() + kTrianglesOfHandle ||
       solver_.n_pieces_added(solved, effort_.all) != 0)
     return false;
   surface_.replace(solved.freed, solved.chosen);
   return true;
 }
 
+/// With the lids among what goes and the faces among what comes.
+Attempt Opening::solution(const Region& region, const LiddedBore& bore,
+                          const Triangles& faces) {
+  std::vector<LocatedTriangle> candidates = solver_.candidates(region);
+  std::erase_if(candidates, [&](const LocatedTriangle& t) {
+    return closes_end(t, bore) ||
+           std::binary_search(faces.begin(), faces.end(), t, is_before);
+  });
+  const auto first_added = static_cast<TriangleIndex>(surface_.n_indices());
+  const std::vector<TriangleIndex> lids = indices(bore.lids);
+  Triangles added = faces;
+  std::erase_if(added, [this](const LocatedTriangle& t) {
+    return index_of(t).has_value();
+  });
+  surface_.replace(lids, added);
+  Attempt result = effort_.all.lend(
+      effort_.conflicts_of_each, options_.propagations, [&](Effort& lent) {
+        return solver_.attempt({region, std::move(candidates)}, lent, {});
+      });
+  for (TriangleIndex t = first_added; t < surface_.n_indices(); ++t)
+    surface_.remove(t);
+  for (const TriangleIndex t : lids) surface_.put_back(t);
+  result.freed.insert(result.freed.end(), lids.begin(), lids.end());
+  result.chosen.insert(result.chosen.end(), added.begin(), added.end());
+  return result;
+}
+
 }  // namespace
 
 OpenedBores open_bores(const delaunay::Triangulation3& triangulation,
                        const ClosingOptions& options, WorkingSurface& surface) {
-  std::vector<FlatLid> lids = find_flat_lids(triangulation, surface);
-  std::erase_if(lids, is_narrow);
-  if (std::none_of(lids.begin(), lids.end(),
-                   [](const FlatLid& lid) { return lid.n_flat > 0; }))
-    return {};
-  turn_outward(triangulation, surface, lids);
-  Opening opening(triangulation, options, surface);
+  LocalEffort effort = local_effort(options, triangulation.points().size(), 1);
+  const std::uint64_t most_propagations = effort.all.propagations;
   OpenedBores result;
-  for (const Bore& bore : lidded_bores(lids))
-    result.count += opening.open(bore) ? 1 : 0;
-  result.conflicts = opening.solver().conflicts();
-  result.propagations = opening.solver().propagations();
+  std::optional<Opening> opening;
+  // What an open bore has brought back may show more of them.
+  for (bool goes_on = true; goes_on && !effort.all.is_spent();) {
+    const std::vector<LiddedBore> bores =
+        find_lidded_bores(triangulation, surface, effort.all);
+    goes_on = false;
+    for (const LiddedBore& bore : bores) {
+      if (!opening) opening.emplace(triangulation, options, surface, effort);
+      if (!opening->open(bore)) continue;
+      ++result.count;
+      goes_on = true;
+    }
+    if (goes_on) effort.all.charge(0, surface.n_indices());
+  }
+  if (opening) result.conflicts = opening->solver().conflicts();
+  result.propagations = most_propagations - effort.all.propagations;
   return result;
 }
 

@@ -17,10 +17,10 @@ struct OpenedBores {
   std::uint64_t propagations = 0;  ///< all that was taken off the effort
 };
 
-/// Takes off the flat lids at two ends of a bore: they lie on one axis and face
-/// each other through the body, and for most corners of a rim there is no other
-/// reason than a bore. A wall is put between them, if a program about them has
-/// such a solution: a handle more, with all else as it is.
+/// Takes the lids off bores (find_lidded_bores). A wall is put between the ends
+/// of each, and the face about them where it has been lost, if a program about
+/// them has such a solution: a handle more, in as many pieces. Goes on as long
+/// as one is opened.
 ///
 /// A mesh that a designer has made holds no corner within a flat face. One that
 /// a scan has made holds many, but not on a circle about nothing.

@@ -35,8 +35,7 @@ class LidSearch {
   LidSearch(const delaunay::Triangulation3& triangulation,
             const WorkingSurface& surface)
       : points_(triangulation.points()),
-        unit_(std::ldexp(
-            1, std::clamp(-triangulation.scale_exponent(), -1000, 1000))),
+        unit_(lid_unit(triangulation)),
         surface_(surface),
         is_met_(surface.n_indices()),
         is_in_lid_(surface.n_indices()),
@@ -53,7 +52,7 @@ class LidSearch {
   std::optional<TriangleIndex> middle(TriangleIndex ear);
   void set_circle(TriangleIndex t, FlatLid& lid) const;
   void collect(TriangleIndex middle, FlatLid& lid);
-  bool is_closed_round(const FlatLid& lid) const;
+  bool is_disc(const FlatLid& lid) const;
   bool is_flat_about(VertexId v, const FlatLid& lid) const;
   std::vector<VertexId> neighbors(const FlatLid& lid) const;
   void look_about(FlatLid& lid) const;
@@ -178,22 +177,11 @@ void LidSearch::collect(TriangleIndex middle, FlatLid& lid) {
   sort_unique(lid.rim);
 }
 
-/// Whether it is a disc with no gap of more than an eighth.
-bool LidSearch::is_closed_round(const FlatLid& lid) const {
-  if (lid.rim.size() < 8 || lid.triangles.size() + 2 != lid.rim.size())
-    return false;
-  const Point3 x = (point(lid.rim[0]) - lid.center).normalized();
-  const Point3 y = lid.normal.cross(x);
-  std::vector<double> angle;
-  for (const VertexId v : lid.rim) {
-    const Point3 arm = point(v) - lid.center;
-    angle.push_back(std::atan2(arm.dot(y), arm.dot(x)));
-  }
-  std::sort(angle.begin(), angle.end());
-  double widest = angle.front() + 2 * std::numbers::pi - angle.back();
-  for (std::size_t i = 1; i < angle.size(); ++i)
-    widest = std::max(widest, angle[i] - angle[i - 1]);
-  return widest < (1 + FlatLid::kTolerance) * std::numbers::pi / 4;
+bool LidSearch::is_disc(const FlatLid& lid) const {
+  if (lid.triangles.size() + 2 != lid.rim.size()) return false;
+  std::vector<Point3> arms;
+  for (const VertexId v : lid.rim) arms.push_back(point(v) - lid.center);
+  return is_closed_round(arms, lid.normal);
 }
 
 /// Whether all triangles at v lie in the plane, seen from the centre.
@@ -226,12 +214,13 @@ void LidSearch::look_about(FlatLid& lid) const {
   for (const VertexId v : lid.rim) lid.n_flat += is_flat_about(v, lid) ? 1 : 0;
   double sum = 0;
   std::size_t n = 0;
-  for (const VertexId v : neighbors(lid)) {
+  const std::vector<VertexId> about = neighbors(lid);
+  for (const VertexId v : about) {
     if (!is_flat_about(v, lid)) continue;
     sum += (point(v) - lid.center).norm() - lid.radius;
     ++n;
   }
-  if (n > 0) lid.spacing = sum / static_cast<double>(n);
+  if (2 * n > about.size()) lid.spacing = sum / static_cast<double>(n);
 }
 
 std::vector<FlatLid> LidSearch::run() {
@@ -245,7 +234,7 @@ std::vector<FlatLid> LidSearch::run() {
     FlatLid lid;
     set_circle(*about_center, lid);
     collect(*about_center, lid);
-    if (!is_closed_round(lid)) continue;
+    if (!is_disc(lid)) continue;
     for (const VertexId v : lid.rim) is_on_rim_[index(v)] = true;
     result.push_back(std::move(lid));
   }
@@ -254,6 +243,25 @@ std::vector<FlatLid> LidSearch::run() {
 }
 
 }  // namespace
+
+double lid_unit(const delaunay::Triangulation3& triangulation) {
+  return std::ldexp(1,
+                    std::clamp(-triangulation.scale_exponent(), -1000, 1000));
+}
+
+bool is_closed_round(std::span<const Point3> arms, const Point3& axis) {
+  if (arms.size() < 8) return false;
+  const Point3 x = (arms[0] - axis.dot(arms[0]) * axis).normalized();
+  const Point3 y = axis.cross(x);
+  std::vector<double> angle;
+  for (const Point3& arm : arms)
+    angle.push_back(std::atan2(arm.dot(y), arm.dot(x)));
+  std::sort(angle.begin(), angle.end());
+  double widest = angle.front() + 2 * std::numbers::pi - angle.back();
+  for (std::size_t i = 1; i < angle.size(); ++i)
+    widest = std::max(widest, angle[i] - angle[i - 1]);
+  return widest < (1 + FlatLid::kTolerance) * std::numbers::pi / 4;
+}
 
 std::vector<FlatLid> find_flat_lids(
     const delaunay::Triangulation3& triangulation,

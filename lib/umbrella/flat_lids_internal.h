@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "delaunay/triangulation3.h"
@@ -36,6 +37,15 @@ struct FlatLid {
   /// triangles on the rim lose two of them.
   static constexpr double kTolerance = 1e-2;
 };
+
+/// What a coordinate is multiplied with for the unit of lengths here: a power
+/// of two, that of Cell::center.
+double lid_unit(const delaunay::Triangulation3& triangulation);
+
+/// Whether there are eight or more, with no gap of more than an eighth.
+///
+/// @param arms  from one point of the axis, along which they may differ
+bool is_closed_round(std::span<const Point3> arms, const Point3& axis);
 
 /// @param surface  closed: each edge has two triangles
 /// @return by their first triangle; they share no triangle
