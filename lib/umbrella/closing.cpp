@@ -16,6 +16,7 @@
 #include "umbrella/bores_internal.h"
 #include "umbrella/cell_labels.h"
 #include "umbrella/local_repair_internal.h"
+#include "umbrella/lost_faces_internal.h"
 #include "umbrella/new_handles_internal.h"
 #include "umbrella/region_solver_internal.h"
 #include "umbrella/sort_unique_internal.h"
@@ -85,6 +86,7 @@ class Closing {
   void accept(const Attempt& solved);
   void give_up(const Task& task);
   bool label_cells();
+  bool regain_faces();
   bool repair_locally(bool is_labelled);
   void open_bores(bool has_changed);
   void list_dropped(std::vector<VertexId> dropped);
@@ -116,7 +118,9 @@ ClosingResult Closing::run(std::span<const Hole> holes) {
   std::sort(dropped_.begin(), dropped_.end());
   if (options_.mode == CloseMode::Best && options_.drop_points) {
     const bool is_labelled = label_cells();
-    const bool is_repaired = repair_locally(is_labelled);
+    const bool is_regained =
+        options_.regain_faces && !is_labelled && regain_faces();
+    const bool is_repaired = repair_locally(is_labelled || is_regained);
     if (options_.open_bores) open_bores(is_labelled || is_repaired);
     is_cut_short_ = solver_.is_over();
     result_.report.timed_out |= solver_.seconds_left() <= 0;
@@ -405,6 +409,21 @@ bool Closing::label_cells() {
   result_.triangles = std::move(labelled.triangles);
   dropped_ = std::move(labelled.left_out);
   return true;
+}
+
+/// @return whether the surface has changed
+bool Closing::regain_faces() {
+  if (solver_.is_over()) return false;
+  ClosingOptions options = options_;
+  options.on_program = {};
+  options.seconds = std::max(0.0, solver_.seconds_left());
+  const RegainedFaces regained =
+      umbrella::regain_faces(triangulation_, options, surface_);
+  result_.report.faces_regained = regained.count;
+  result_.report.conflicts += regained.conflicts;
+  result_.report.propagations += regained.propagations;
+  if (regained.count > 0) result_.triangles = surface_.sorted();
+  return regained.count > 0;
 }
 
 /// @return whether the surface may have changed

@@ -67,6 +67,9 @@ struct ClosingOptions {
   /// or more. Where some are, loops of up to twice as many edges count as well.
   /// 0 to keep all.
   unsigned handle_edges = 5;
+  /// Before that, flat faces with holes that were lost are put in, where there
+  /// is a surface with them; see docs/decisions/flat_faces.md.
+  bool regain_faces = true;
   /// Then flat lids are taken off two ends of a bore if else their rims would
   /// hold points for no reason; see docs/decisions/bores.md.
   bool open_bores = true;
@@ -98,13 +101,14 @@ struct ClosingReport {
   std::size_t largest_region_vertices = 0;
   std::size_t candidate_triangles = 0;
   std::size_t variables = 0;
-  std::size_t feasible = 0;       ///< regions closed
-  std::size_t infeasible = 0;     ///< regions without, as far as they may grow
-  std::size_t undecided = 0;      ///< regions given up at a limit
-  std::size_t grown = 0;          ///< regions closed after growing
-  std::size_t labelled = 0;       ///< of those given up, closed by cell labels
-  std::size_t pieces_joined = 0;  ///< to others, once all was closed
-  std::size_t brought_in = 0;     ///< points that had been left out
+  std::size_t feasible = 0;        ///< regions closed
+  std::size_t infeasible = 0;      ///< regions without, as far as they may grow
+  std::size_t undecided = 0;       ///< regions given up at a limit
+  std::size_t grown = 0;           ///< regions closed after growing
+  std::size_t labelled = 0;        ///< of those given up, closed by cell labels
+  std::size_t faces_regained = 0;  ///< flat ones
+  std::size_t pieces_joined = 0;   ///< to others, once all was closed
+  std::size_t brought_in = 0;      ///< points that had been left out
   std::size_t handles_removed = 0;
   std::size_t bores_opened = 0;
   /// Of all programs, those of the local repair and the bores included.

@@ -155,7 +155,8 @@ Pipeline::Chosen Pipeline::chosen_of(const Triangulation3& triangulation,
   const std::vector<Hole> open = holes(n, clean);
   ClosingOptions closing = options_.closing;
   closing.threads = options_.threads;
-  // The faces given say which lids are meant.
+  // The faces given say which faces and lids are meant.
+  closing.regain_faces = closing.regain_faces && !options_.faces;
   closing.open_bores = closing.open_bores && !options_.faces;
   ClosingResult closed = timed("closing", result_.seconds.closing, [&] {
     return close_holes(triangulation, clean.triangles, open, closing);

@@ -1,0 +1,193 @@
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "umbrella/flat_faces_internal.h"
+#include "umbrella/lost_faces_internal.h"
+#include "umbrella/region_solver_internal.h"
+#include "umbrella/sort_unique_internal.h"
+
+namespace umbrella {
+namespace {
+
+bool corners_before(const LocatedTriangle& a, const LocatedTriangle& b) {
+  return a.corners < b.corners;
+}
+
+class Regaining {
+ public:
+  Regaining(const delaunay::Triangulation3& triangulation,
+            const ClosingOptions& options, WorkingSurface& surface)
+      : triangulation_(triangulation),
+        unit_(std::ldexp(
+            1, std::clamp(-triangulation.scale_exponent(), -1000, 1000))),
+        options_(options),
+        surface_(surface),
+        is_open_(triangulation.points().size()),
+        groups_(triangulation, {}, surface),
+        solver_(triangulation, options, surface, is_open_, groups_),
+        effort_(local_effort(options, triangulation.points().size(), 1)) {}
+
+  bool regain(const FlatFace& face);
+  const RegionSolver& solver() const { return solver_; }
+
+ private:
+  std::optional<TriangleIndex> find(const Triangle& corners) const;
+  Point3 point(VertexId v) const { return unit_ * triangulation_.point(v); }
+  bool is_lost(const FlatFace& face) const;
+  bool is_section(const FlatFace& face) const;
+  std::vector<VertexId> ringed(std::span<const VertexId> vertices);
+  bool attempt(const Region& region, const FlatFace& face);
+
+  const delaunay::Triangulation3& triangulation_;
+  const double unit_;
+  const ClosingOptions& options_;
+  WorkingSurface& surface_;
+  std::vector<bool> is_open_;  // none
+  PointGroups groups_;
+  RegionSolver solver_;
+  LocalEffort effort_;  // for all faces
+};
+
+std::optional<TriangleIndex> Regaining::find(const Triangle& corners) const {
+  std::optional<TriangleIndex> result;
+  surface_.for_each_at(corners[0], [&](TriangleIndex t) {
+    if (surface_.corners(t) == corners) result = t;
+  });
+  return result;
+}
+
+/// Whether less than half of it is on the surface.
+bool Regaining::is_lost(const FlatFace& face) const {
+  const auto is_corner = [&](VertexId v) {
+    return std::binary_search(face.vertices.begin(), face.vertices.end(), v);
+  };
+  double covered = 0;
+  for (const VertexId v : face.vertices)
+    surface_.for_each_at(v, [&](TriangleIndex t) {
+      const auto& [a, b, c] = surface_.corners(t);
+      if (a != v || !is_corner(b) || !is_corner(c)) return;
+      covered += (point(b) - point(a)).cross(point(c) - point(a)).norm() / 2;
+    });
+  return covered < face.area / 2;
+}
+
+/// Whether the surface goes from one side of the plane to the other at more
+/// than half of the outline: then it is that of a body which goes on.
+bool Regaining::is_section(const FlatFace& face) const {
+  std::size_t n_crossed = 0;
+  for (const auto& [a, b] : face.outline) {
+    bool is_above = false, is_below = false;
+    surface_.for_each_at(a, [&, b = b](TriangleIndex t) {
+      const Triangle& corners = surface_.corners(t);
+      if (std::find(corners.begin(), corners.end(), b) == corners.end()) return;
+      for (const VertexId v : corners) {
+        const double height = (point(v) - face.origin).dot(face.normal);
+        is_above |= height > face.tolerance;
+        is_below |= height < -face.tolerance;
+      }
+    });
+    n_crossed += is_above && is_below ? 1 : 0;
+  }
+  return 2 * n_crossed > face.outline.size();
+}
+
+/// With the vertices joined to these; what has been left out stays out.
+std::vector<VertexId> Regaining::ringed(std::span<const VertexId> vertices) {
+  std::vector<VertexId> result = solver_.neighborhoods().ring(vertices);
+  std::erase_if(result, [this](VertexId v) { return !surface_.is_used(v); });
+  return result;
+}
+
+/// Tries the vertices of the face by themselves, then with one ring of Delaunay
+/// edges about them, then with two.
+bool Regaining::regain(const FlatFace& face) {
+  constexpr int kRings = 2;
+  const bool is_used =
+      std::all_of(face.vertices.begin(), face.vertices.end(),
+                  [this](VertexId v) { return surface_.is_used(v); });
+  if (!is_used || !is_lost(face) || is_section(face)) return false;
+  std::vector<LocatedTriangle> missing;
+  for (const LocatedTriangle& t : face.triangles)
+    if (!find(t.corners)) missing.push_back(t);
+  for (const LocatedTriangle& t : missing) surface_.add(t);
+  Region region;
+  region.vertices = face.vertices;
+  for (int ring = 0; ring <= kRings; ++ring) {
+    if (effort_.all.is_spent() || solver_.is_over()) break;
+    if (ring > 0) region.vertices = ringed(region.vertices);
+    if (attempt(region, face)) return true;
+  }
+  for (const LocatedTriangle& t : missing) surface_.remove(*find(t.corners));
+  return false;
+}
+
+/// Takes the surface that solves the program with the whole face, if it falls
+/// into no more pieces.
+bool Regaining::attempt(const Region& region, const FlatFace& face) {
+  std::vector<LocatedTriangle> candidates = solver_.candidates(region);
+  std::erase_if(candidates, [&](const LocatedTriangle& t) {
+    return std::binary_search(face.triangles.begin(), face.triangles.end(), t,
+                              corners_before);
+  });
+  const Attempt solved = effort_.all.lend(
+      effort_.conflicts_of_each, options_.propagations, [&](Effort& lent) {
+        return solver_.attempt({region, std::move(candidates)}, lent, {});
+      });
+  if (solved.outcome != Outcome::Solved ||
+      solver_.n_pieces_added(solved, effort_.all) > 0)
+    return false;
+  surface_.replace(solved.freed, solved.chosen);
+  return true;
+}
+
+/// The triangles of all cells at what the closing has added.
+std::vector<LocatedTriangle> seeds(
+    const delaunay::Triangulation3& triangulation,
+    const WorkingSurface& surface) {
+  std::vector<LocatedTriangle> result;
+  surface.for_each_added([&](TriangleIndex t) {
+    const delaunay::Facet facet = surface.triangle(t).facet;
+    const delaunay::Facet other =
+        triangulation.cell(facet.cell()).neighbor[facet.index()];
+    for (const delaunay::CellId id : {facet.cell(), other.cell()}) {
+      const delaunay::Cell& cell = triangulation.cell(id);
+      if (cell.is_infinite()) continue;
+      for (unsigned i = 0; i < 4; ++i) {
+        const delaunay::Facet here(id, i), there = cell.neighbor[i];
+        result.push_back(
+            {corners(triangulation, here), there.cell() < id ? there : here});
+      }
+    }
+  });
+  std::sort(result.begin(), result.end(), corners_before);
+  const auto last = std::unique(
+      result.begin(), result.end(),
+      [](const auto& a, const auto& b) { return a.corners == b.corners; });
+  result.erase(last, result.end());
+  return result;
+}
+
+}  // namespace
+
+RegainedFaces regain_faces(const delaunay::Triangulation3& triangulation,
+                           const ClosingOptions& options,
+                           WorkingSurface& surface) {
+  std::vector<FlatFace> faces =
+      find_flat_faces(triangulation, seeds(triangulation, surface));
+  std::erase_if(faces,
+                [](const FlatFace& face) { return face.n_holes() == 0; });
+  if (faces.empty()) return {};
+  Regaining regaining(triangulation, options, surface);
+  RegainedFaces result;
+  for (const FlatFace& face : faces)
+    result.count += regaining.regain(face) ? 1 : 0;
+  result.conflicts = regaining.solver().conflicts();
+  result.propagations = regaining.solver().propagations();
+  return result;
+}
+
+}  // namespace umbrella

@@ -1,0 +1,128 @@
+// Flat faces of designed bodies, given by points on their edges alone.
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <numbers>
+#include <random>
+#include <set>
+#include <vector>
+
+#include "umbrella/facets.h"
+#include "umbrella/flat_faces_internal.h"
+#include "umbrella/reconstruct.h"
+
+namespace umbrella {
+namespace {
+
+using Points = std::vector<Point3>;
+
+struct Circle {
+  double x = 0, y = 0;
+  double radius = 1;
+};
+
+void add_ring(const Circle& circle, double z, int n, Points& points) {
+  for (int i = 0; i < n; ++i) {
+    const double angle = 2 * std::numbers::pi * i / n;
+    points.emplace_back(circle.x + circle.radius * std::cos(angle),
+                        circle.y + circle.radius * std::sin(angle), z);
+  }
+}
+
+/// Turned any way; every second time written with six digits.
+Points placed(Points points, int trial, std::mt19937_64& rng) {
+  std::uniform_real_distribution<double> unit(-1, 1);
+  const Eigen::Quaterniond q{unit(rng), unit(rng), unit(rng), unit(rng)};
+  for (Point3& p : points) {
+    p = q.normalized() * p;
+    if (trial % 2 == 1)
+      for (double& x : p) x = std::round(x * 1e6) / 1e6;
+  }
+  return points;
+}
+
+std::vector<FlatFace> faces_of(const delaunay::Triangulation3& triangulation) {
+  std::vector<LocatedTriangle> all;
+  for (const delaunay::Facet facet : facets(triangulation))
+    all.push_back({corners(triangulation, facet), facet});
+  std::sort(all.begin(), all.end(),
+            [](const auto& a, const auto& b) { return a.corners < b.corners; });
+  return find_flat_faces(triangulation, all);
+}
+
+/// A disc with a bore and four holes about it: its rings at one height.
+Points pierced_disc(double z, int n) {
+  Points points;
+  add_ring({}, z, 3 * n, points);
+  add_ring({.radius = 0.4}, z, 2 * n, points);
+  for (const double x : {-0.5, 0.5})
+    for (const double y : {-0.5, 0.5})
+      add_ring({.x = x, .y = y, .radius = 0.12}, z, n, points);
+  return points;
+}
+
+TEST(FlatFaces, AreWhatLiesBetweenTheRings) {
+  std::mt19937_64 rng(1);
+  for (int trial = 0; trial < 10; ++trial) {
+    SCOPED_TRACE(testing::Message() << "trial " << trial);
+    const int n = 8 + static_cast<int>(rng() % 12);
+    Points points = pierced_disc(0, n);
+    const std::size_t n_points = points.size();
+    for (const Point3& p : pierced_disc(0.3, n)) points.push_back(p);
+    const delaunay::Triangulation3 triangulation(placed(points, trial, rng));
+    const std::vector<FlatFace> faces = faces_of(triangulation);
+    ASSERT_GE(faces.size(), 2U);
+    for (std::size_t i = 0; i < 2; ++i) {
+      EXPECT_EQ(faces[i].vertices.size(), n_points);
+      EXPECT_EQ(faces[i].outline.size(), n_points);
+      EXPECT_EQ(faces[i].n_holes(), 5U);
+    }
+  }
+}
+
+TEST(FlatFaces, HaveTheirOutlineAsBoundary) {
+  std::mt19937_64 rng(2);
+  for (int trial = 0; trial < 10; ++trial) {
+    SCOPED_TRACE(testing::Message() << "trial " << trial);
+    Points points = pierced_disc(0, 8 + trial);
+    for (const Point3& p : pierced_disc(0.2, 8 + trial)) points.push_back(p);
+    const delaunay::Triangulation3 triangulation(placed(points, trial, rng));
+    std::set<Triangle> met;
+    for (const FlatFace& face : faces_of(triangulation)) {
+      std::map<std::array<VertexId, 2>, int> count;
+      for (const LocatedTriangle& t : face.triangles) {
+        const auto& [a, b, c] = t.corners;
+        EXPECT_TRUE(met.insert(t.corners).second);
+        EXPECT_EQ(corners(triangulation, t.facet), t.corners);
+        ++count[{a, b}], ++count[{a, c}], ++count[{b, c}];
+      }
+      std::vector<std::array<VertexId, 2>> boundary;
+      for (const auto& [side, n] : count)
+        if (n == 1) boundary.push_back(side);
+      EXPECT_EQ(boundary, face.outline);
+      EXPECT_EQ(boundary.size(), face.vertices.size());
+    }
+  }
+}
+
+TEST(FlatFaces, AreNotInARandomSample) {
+  std::mt19937_64 rng(3);
+  std::normal_distribution<double> normal;
+  for (int trial = 0; trial < 10; ++trial) {
+    SCOPED_TRACE(testing::Message() << "trial " << trial);
+    Points points;
+    for (int i = 0; i < 400; ++i)
+      points.push_back(
+          Point3(normal(rng), normal(rng), normal(rng)).normalized());
+    EXPECT_TRUE(faces_of(delaunay::Triangulation3(points)).empty());
+  }
+}
+
+}  // namespace
+}  // namespace umbrella
