@@ -196,9 +196,10 @@ std::set<Known> known(const std::vector<Piece>& pieces) {
   return result;
 }
 
-/// Looks at random changes, and makes most of those that leave nothing small.
+/// Looks for pieces of at most one part in so many of the whole at random
+/// changes, and makes most of those that leave nothing small.
 void expect_found(std::uint64_t seed, std::uint32_t n_columns,
-                  std::size_t n_open) {
+                  std::size_t n_open, std::size_t part) {
   std::mt19937_64 rng(seed);
   std::uniform_int_distribution<std::uint32_t> any_column(0, n_columns - 1);
   std::uniform_int_distribution<int> percent(0, 99);
@@ -207,7 +208,7 @@ void expect_found(std::uint64_t seed, std::uint32_t n_columns,
   for (std::size_t i = 0; i < n_open; ++i)
     is_open[index(at(2, any_column(rng)))] = true;
   const std::vector<bool> nothing_open(is_open.size());
-  const std::size_t limit = 2 * kRound * n_columns / 5;
+  const std::size_t limit = 2 * kRound * n_columns / part;
   PieceFinder finder(torus.surface(), limit);
   std::size_t n_found = 0;
   for (int step = 0; step < 60; ++step) {
@@ -231,7 +232,14 @@ void expect_found(std::uint64_t seed, std::uint32_t n_columns,
 TEST(PieceFinder, FindsAllSmallPiecesOfChangingSurfaces) {
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
-    expect_found(seed, seed % 2 == 0 ? 40 : 300, seed % 3 == 0 ? 2 : 0);
+    expect_found(seed, seed % 2 == 0 ? 40 : 300, seed % 3 == 0 ? 2 : 0, 5);
+  }
+}
+
+TEST(PieceFinder, FindsSmallPiecesOfLargeSurfaces) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    expect_found(seed, 200, seed % 3 == 0 ? 2 : 0, 30);
   }
 }
 

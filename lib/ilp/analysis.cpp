@@ -52,8 +52,10 @@ const Lesson& Analyzer::analyze(const Propagator& propagator,
   minimize();
   find_glue();
 
-  for (const VarId v : seen_) is_seen_[index(v)] = 0;
+  for (const auto* marked : {&seen_, &not_implied_})
+    for (const VarId v : *marked) mark_[index(v)] = Mark::None;
   seen_.clear();
+  not_implied_.clear();
   return lesson_;
 }
 
@@ -74,7 +76,7 @@ void Analyzer::find_first_uip(const Conflict& conflict) {
   for (;;) {
     do {
       --l;
-    } while (!is_seen_[index(l->var())] ||
+    } while (!is_seen(l->var()) ||
              assignment().level(l->var()) != conflict_level_);
     if (--n_unresolved_ == 0) break;
     derivations_->use(propagator_->origin(assignment().reason(l->var())));
@@ -94,8 +96,8 @@ void Analyzer::note_cycle(const Reason& reason,
 
 void Analyzer::see(std::span<const Literal> literals) {
   for (const Literal l : literals) {
-    if (is_seen_[index(l.var())]) continue;
-    is_seen_[index(l.var())] = 1;
+    if (is_seen(l.var())) continue;
+    mark_[index(l.var())] = Mark::Seen;
     seen_.push_back(l.var());
     const std::uint32_t level = assignment().level(l.var());
     if (level == 0) {
@@ -113,7 +115,7 @@ void Analyzer::minimize() {
   levels_.clear();
   for (const Literal l : lesson_.literals)
     levels_.push_back(assignment().level(l.var()));
-  std::ranges::sort(levels_);
+  for (const std::uint32_t level : levels_) has_literal_[level] = 1;
   std::erase_if(lesson_.literals,
                 [this, first = lesson_.literals.front()](Literal l) {
                   return l != first && is_implied_by_rest(!l);
@@ -124,24 +126,28 @@ bool Analyzer::is_implied_by_rest(Literal l) {
   const std::size_t n_seen = seen_.size();
   const std::size_t n_used = derivations_->n_used();
   stack_.assign(1, l);
+  Literal top = l;
   bool is_implied = true;
   while (is_implied && !stack_.empty()) {
-    const Literal top = stack_.back();
+    top = stack_.back();
     stack_.pop_back();
     is_implied = expand(top);
   }
-  if (!is_implied) {
-    for (std::size_t i = n_seen; i < seen_.size(); ++i)
-      is_seen_[index(seen_[i])] = 0;
-    seen_.resize(n_seen);
-    derivations_->drop(n_used);
+  if (is_implied) return true;
+  for (std::size_t i = n_seen; i < seen_.size(); ++i)
+    mark_[index(seen_[i])] = Mark::None;
+  seen_.resize(n_seen);
+  derivations_->drop(n_used);
+  if (top != l) {
+    mark_[index(top.var())] = Mark::NotImplied;
+    not_implied_.push_back(top.var());
   }
-  return is_implied;
+  return false;
 }
 
 // Puts what implies l on the stack, unless it is known to follow from the
 // clause. False if l is a decision, or owes to a level that the clause lacks
-// and so must owe to another decision.
+// and so must owe to another decision, or to what is known to do so.
 bool Analyzer::expand(Literal l) {
   const Reason reason = assignment().reason(l.var());
   if (reason.kind == Reason::Kind::None) return false;
@@ -150,28 +156,32 @@ bool Analyzer::expand(Literal l) {
   propagator_->explain(l, explanation_);
   note_cycle(reason, explanation_);
   for (const Literal e : explanation_) {
-    if (is_seen_[index(e.var())]) continue;
+    if (is_seen(e.var())) continue;
+    if (mark_[index(e.var())] == Mark::NotImplied) return false;
     const std::uint32_t level = assignment().level(e.var());
     if (level == 0) {
       derivations_->use(Antecedent::value_of(e.var()));
-    } else if (std::ranges::binary_search(levels_, level)) {
+    } else if (has_literal_[level] != 0) {
       stack_.push_back(e);
     } else {
       return false;
     }
-    is_seen_[index(e.var())] = 1;
+    mark_[index(e.var())] = Mark::Seen;
     seen_.push_back(e.var());
   }
   return true;
 }
 
+// The number of levels in the clause. Forgets those of minimize().
 void Analyzer::find_glue() {
-  levels_.clear();
-  for (const Literal l : lesson_.literals)
-    levels_.push_back(assignment().level(l.var()));
-  std::ranges::sort(levels_);
-  levels_.erase(std::unique(levels_.begin(), levels_.end()), levels_.end());
-  lesson_.glue = static_cast<std::uint32_t>(levels_.size());
+  lesson_.glue = 0;
+  for (const std::uint32_t level : levels_) has_literal_[level] = 0;
+  for (const Literal l : lesson_.literals) {
+    std::uint8_t& is_counted = has_literal_[assignment().level(l.var())];
+    lesson_.glue += is_counted == 0 ? 1 : 0;
+    is_counted = 1;
+  }
+  for (const std::uint32_t level : levels_) has_literal_[level] = 0;
 }
 
 namespace {

@@ -26,7 +26,8 @@ struct Lesson {
 /// [Soerensson09]. Its working memory is kept from call to call.
 class Analyzer {
  public:
-  explicit Analyzer(std::size_t n_variables) : is_seen_(n_variables, 0) {}
+  explicit Analyzer(std::size_t n_variables)
+      : mark_(n_variables, Mark::None), has_literal_(n_variables + 1, 0) {}
 
   /// @param conflict     not all of whose literals hold at level 0
   /// @param derivations  gets the antecedents of the lesson
@@ -37,7 +38,11 @@ class Analyzer {
   void set_cycles(std::set<Cycle>* cycles) { cycles_ = cycles; }
 
  private:
+  /// Seen: resolved, in the clause, or implied by it.
+  enum class Mark : std::uint8_t { None, Seen, NotImplied };
+
   const Assignment& assignment() const { return propagator_->assignment(); }
+  bool is_seen(VarId v) const { return mark_[index(v)] == Mark::Seen; }
   void find_first_uip(const Conflict& conflict);
   void note_cycle(const Reason& reason, std::span<const Literal> literals);
   void see(std::span<const Literal> literals);
@@ -52,11 +57,12 @@ class Analyzer {
   Lesson lesson_;
   std::uint32_t conflict_level_ = 0;
   std::size_t n_unresolved_ = 0;  // seen literals of the conflict's level
-  std::vector<std::uint8_t> is_seen_;
-  std::vector<VarId> seen_;
+  std::vector<Mark> mark_;        // by variable; none between calls
+  std::vector<VarId> seen_, not_implied_;
   std::vector<Literal> explanation_;
   std::vector<Literal> stack_;
-  std::vector<std::uint32_t> levels_;
+  std::vector<std::uint32_t> levels_;  // of the clause before it is minimised
+  std::vector<std::uint8_t> has_literal_;  // by level; 0 between calls
 };
 
 /// The cycles of rings that gave values at level 0, or the conflict there.

@@ -45,7 +45,7 @@ class PieceFinder::Walks {
 
 std::vector<Piece> PieceFinder::find(const Change& change,
                                      const std::vector<bool>& is_open) {
-  if (is_in_patch_.empty()) find_large_patches(is_open);
+  if (are_patches_worth_it()) find_large_patches(is_open);
   mark(change);
   doubt_patches(change);
   std::vector<Piece> pieces;
@@ -136,7 +136,17 @@ void PieceFinder::forget_reached() {
   reached_.clear();
 }
 
+/// A look at the whole surface takes as long as walks over all of it, or over
+/// one piece up to a limit that is a large part of it.
+bool PieceFinder::are_patches_worth_it() const {
+  constexpr std::size_t kLargePart = 8;  // one in so many
+  const std::size_t n = surface_.n_vertices();
+  return !has_looked_for_patches_ &&
+         (kLargePart * limit_ > n || n_explored_ > n);
+}
+
 void PieceFinder::find_large_patches(const std::vector<bool>& is_open) {
+  has_looked_for_patches_ = true;
   const std::size_t n = surface_.n_vertices();
   DisjointSets sets(n);
   const std::vector<std::uint8_t> waits(is_open.begin(), is_open.end());
@@ -151,7 +161,6 @@ void PieceFinder::find_large_patches(const std::vector<bool>& is_open) {
     ++n_triangles[index(a)];
   }
   sets.add_at_roots(n_triangles);
-  is_in_patch_.resize(n);
   n_spare_ = surface_.n_indices();
   for (std::size_t v = 0; v < n; ++v) {
     const std::uint32_t root = sets.root(v);
@@ -225,9 +234,10 @@ PieceFinder::Tear PieceFinder::look_for_tear(const Change& change) {
 }
 
 bool PieceFinder::is_one_piece() {
+  const std::size_t n = surface_.n_vertices();
+  if (!has_looked_for_patches_) find_large_patches(std::vector<bool>(n));
   settle_patches();
   if (n_patches_ != 1) return false;
-  const std::size_t n = surface_.n_vertices();
   DisjointSets sets(n + 1);  // the last one: vertices of the patch
   const auto place = [&](VertexId v) {
     return is_in_patch_[index(v)] != 0 ? n : index(v);
@@ -303,6 +313,7 @@ bool PieceFinder::explore(VertexId start, const Change& change,
   if (is_large)
     for (std::size_t i = first; i < reached_.size(); ++i)
       piece_of_[index(reached_[i])] = kLarge;
+  n_explored_ += reached_.size() - first;
   std::sort(piece.vertices.begin(), piece.vertices.end());
   if (!is_large)
     piece.all_vertices.assign(

@@ -33,7 +33,10 @@ class PieceFinder {
   /// @param surface  must outlive this object; may change between calls
   /// @param limit  pieces with more triangles are of no interest
   PieceFinder(const WorkingSurface& surface, std::size_t limit)
-      : surface_(surface), limit_(limit), piece_of_(surface.n_vertices()) {}
+      : surface_(surface),
+        limit_(limit),
+        piece_of_(surface.n_vertices()),
+        is_in_patch_(surface.n_vertices()) {}
 
   /// The pieces of at most `limit` triangles with a chosen one, on the changed
   /// surface; in the order of `chosen`.
@@ -87,6 +90,7 @@ class PieceFinder {
                           const Change& change);
   std::size_t walk(std::span<const VertexId> starts, const Change& change,
                    std::size_t most, Walks& walks);
+  bool are_patches_worth_it() const;
   void find_large_patches(const std::vector<bool>& is_open);
   void settle_patches();
   void doubt_patches(const Change& change);
@@ -104,10 +108,11 @@ class PieceFinder {
   std::vector<VertexId> reached_;        // where that is not kNotReached
   std::vector<Corner> corners_;          // of `chosen`, by vertex
   std::vector<bool> is_freed_;
-  /// Vertices of triangles that hung together in the first call, without an
-  /// open corner, and were more than the limit: wherever a walk meets one, its
-  /// piece is large.
+  /// Vertices of triangles that hung together, without an open corner, and were
+  /// more than the limit: wherever a walk meets one, its piece is large.
   std::vector<std::uint8_t> is_in_patch_;
+  bool has_looked_for_patches_ = false;
+  std::size_t n_explored_ = 0;  // vertices, before that
   std::size_t n_patches_ = 0;
   std::size_t n_spare_ = 0;   // triangles of the least patch above the limit
   bool uses_patches_ = true;  // in the call at hand

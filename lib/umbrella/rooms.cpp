@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cstdint>
 #include <limits>
 
@@ -20,7 +19,13 @@ class Rooms {
       : cells_(cells),
         triangles_(triangles),
         kind_(4 * cells.cells().size(), Kind::Absent),
-        sides_(cells.cells().size() + 1) {}
+        sides_(cells.cells().size() + 1) {
+    if (triangles.vertices.empty()) return;
+    first_ = index(triangles.vertices.front());
+    is_vertex_.resize(index(triangles.vertices.back()) - first_ + 1);
+    for (const VertexId v : triangles.vertices)
+      is_vertex_[index(v) - first_] = true;
+  }
 
   std::vector<ilp::Wall> walls();
 
@@ -38,12 +43,14 @@ class Rooms {
     return cells_.apex(facet) < cells_.apex(other) ? facet : other;
   }
   bool is_program_vertex(VertexId v) const {
-    return std::binary_search(triangles_.vertices.begin(),
-                              triangles_.vertices.end(), v);
+    const std::size_t i = index(v) - first_;  // wraps below the first
+    return i < is_vertex_.size() && is_vertex_[i];
   }
 
   const CellSet& cells_;
   const RegionTriangles& triangles_;
+  std::size_t first_ = 0;
+  std::vector<bool> is_vertex_;  // of the program, from the first to the last
   std::vector<Kind> kind_;  // of facet i of the cell at position p: 4 p + i
   ParitySets sides_;        // of cells by position, and of what is beyond
 };
