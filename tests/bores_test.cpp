@@ -233,13 +233,14 @@ TEST(Bores, GoThroughAFlange) {
   EXPECT_GE(n_opened, 6U);
 }
 
-/// About most of these bores a part of the face has been lost, and the air is
-/// between their walls and the outer one.
+/// A flange with six bores, with a pipe on it. About many of these bores a part
+/// of the face has been lost, and the air is between their walls and the outer
+/// one.
 TEST(Bores, BringTheFaceAboutThemBack) {
-  std::mt19937_64 rng(6);
+  std::mt19937_64 rng(3);
   std::uniform_real_distribution<double> unit(0, 1);
   std::size_t n_opened = 0;
-  for (int trial = 0; trial < 12; ++trial) {
+  for (int trial = 0; trial < 6; ++trial) {
     SCOPED_TRACE(testing::Message() << "trial " << trial);
     const double h = 0.05 + 0.1 * unit(rng), height = 0.4 + 0.6 * unit(rng);
     const int n = 8 + static_cast<int>(rng() % 16);
@@ -258,7 +259,54 @@ TEST(Bores, BringTheFaceAboutThemBack) {
     open_each(placed(points, trial, rng), 7, n_opened);
     ASSERT_FALSE(HasFatalFailure());
   }
-  EXPECT_GE(n_opened, 3U);
+  EXPECT_GE(n_opened, 9U);  // a half of them without the faces
+}
+
+Points disc_with_studs(std::uint64_t seed) {
+  std::mt19937_64 rng(seed);
+  std::uniform_real_distribution<double> unit(0, 1);
+  const double h = 0.08 + 0.22 * unit(rng);
+  const int n = 10 + static_cast<int>(rng() % 14);
+  Points points;
+  for (const double z : {0.0, h}) add_ring({}, z, 48, points);
+  for (int i = 0; i < 6; ++i)
+    for (const double z : {h, 2 * h}) {
+      const double angle = std::numbers::pi * i / 3;
+      add_ring({0.7 * std::cos(angle), 0.7 * std::sin(angle), 0.1}, z, n,
+               points);
+    }
+  return placed(points, 0, rng);
+}
+
+/// The tops of the studs lie in one plane, but there is no face all round them.
+/// Handles that the surface may have by then come from elsewhere.
+TEST(Bores, GoThroughNoStuds) {
+  for (const std::uint64_t seed : {50, 51, 52, 53}) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    EXPECT_EQ(closed(disc_with_studs(seed), true).closing.bores_opened, 0U);
+  }
+}
+
+Points pocket_over_boss(std::uint64_t seed) {
+  std::mt19937_64 rng(seed);
+  std::uniform_real_distribution<double> unit(0, 1);
+  const double h = 0.3 + 0.5 * unit(rng);
+  const double boss = 0.1 + 0.3 * unit(rng), pocket = 0.1 + 0.3 * unit(rng);
+  const int n = 8 + static_cast<int>(rng() % 24);
+  const int n_side = 4 + static_cast<int>(rng() % 8);
+  Points points;
+  for (const double z : {0.0, h}) add_outline(2, 1, z, n_side, points);
+  for (const double z : {-h, 0.0}) add_ring({1, 0.5, boss}, z, n, points);
+  for (const double z : {h / 2, h}) add_ring({1, 0.5, pocket}, z, n, points);
+  return placed(points, 0, rng);
+}
+
+/// The end of the boss is right, so one end alone would have its face.
+TEST(Bores, GoThroughNoPocketOverABoss) {
+  for (const std::uint64_t seed : {133, 134, 135, 335}) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    EXPECT_EQ(closed(pocket_over_boss(seed), true).closing.bores_opened, 0U);
+  }
 }
 
 /// A body with a pit that ends in a point, and on its other side a circle.

@@ -32,6 +32,28 @@ bool closes_end(const LocatedTriangle& t, const LiddedBore& bore) {
                      });
 }
 
+/// A triangle, and the cosine of the angle at which an edge is seen from its
+/// far corner.
+struct Seen {
+  double cosine;
+  LocatedTriangle triangle;
+};
+
+/// Of triangles in a plane that share an edge, on one side of it: that whose
+/// far corner sees it widest, so that the others lie out of its circle. Flat
+/// cells have more than one. None if two see it the same.
+std::optional<LocatedTriangle> widest(std::vector<Seen>& seen) {
+  std::sort(seen.begin(), seen.end(),
+            [](const Seen& a, const Seen& b) { return a.cosine < b.cosine; });
+  const auto is_same = [](double a, double b) {
+    return b - a <= FlatLid::kTolerance * (1 - a);
+  };
+  if (seen.empty() ||
+      (seen.size() > 1 && is_same(seen[0].cosine, seen[1].cosine)))
+    return {};
+  return seen[0].triangle;
+}
+
 class Opening {
  public:
   Opening(const delaunay::Triangulation3& triangulation,
@@ -61,6 +83,8 @@ class Opening {
   std::vector<VertexId> ringed(std::span<const VertexId> vertices);
   std::set<Edge> edges_round(const BoreEnd& end) const;
   Triangles face_about(const BoreEnd& end);
+  Triangles faces_about(const LiddedBore& bore);
+  bool is_in_face(VertexId v, const BoreEnd& end) const;
   bool open(const LiddedBore& bore, const Triangles& faces, Rings rings);
   bool attempt(const Region& region, const LiddedBore& bore,
                const Triangles& faces);
@@ -122,28 +146,34 @@ std::set<Edge> Opening::edges_round(const BoreEnd& end) const {
   return result;
 }
 
-/// The flat triangles about the end with an edge of the rim; none if they are
-/// not one on most of these each.
+/// The flat triangles about the end, at most one for each edge of the rim.
 Opening::Triangles Opening::face_about(const BoreEnd& end) {
-  constexpr double kSlack = FlatLid::kTolerance;
-  const std::set<Edge> edges = edges_round(end);
-  std::map<Edge, Triangles> at;
+  std::map<Edge, std::vector<Seen>> found;
+  for (const Edge& edge : edges_round(end)) found[edge];
   Region region;
   region.vertices = ringed(end.rim);
   for (const LocatedTriangle& t : solver_.candidates(region))
     for (unsigned i = 0; i < 3; ++i) {
       const VertexId a = t.corners[(i + 1) % 3], b = t.corners[(i + 2) % 3];
-      const Point3 arm = point(t.corners[i]) - end.center;
-      if (edges.contains(std::minmax(a, b)) &&
-          arm.norm() > (1 + kSlack) * end.radius &&
-          std::abs(arm.dot(end.normal)) <= kSlack * arm.norm())
-        at[std::minmax(a, b)].push_back(t);
+      const auto at = found.find(std::minmax(a, b));
+      if (at == found.end() || !is_in_face(t.corners[i], end)) continue;
+      const Point3 far = point(t.corners[i]);
+      const double cosine =
+          (point(a) - far).normalized().dot((point(b) - far).normalized());
+      at->second.push_back({cosine, t});
     }
   Triangles result;
-  for (const auto& [edge, triangles] : at)
-    if (triangles.size() == 1) result.push_back(triangles[0]);
-  if (2 * result.size() <= edges.size()) result.clear();
+  for (auto& [edge, seen] : found)
+    if (const auto triangle = widest(seen)) result.push_back(*triangle);
   return result;
+}
+
+/// In the plane of the end, off its circle.
+bool Opening::is_in_face(VertexId v, const BoreEnd& end) const {
+  constexpr double kSlack = FlatLid::kTolerance;
+  const Point3 arm = point(v) - end.center;
+  return arm.norm() > (1 + kSlack) * end.radius &&
+         std::abs(arm.dot(end.normal)) <= kSlack * arm.norm();
 }
 
 /// Tries the region of the rims with so many rings of Delaunay edges about
@@ -162,21 +192,31 @@ bool Opening::open(const LiddedBore& bore, const Triangles& faces,
   return false;
 }
 
-/// First with the faces about the ends, parts of which may have been lost. The
+/// First with the faces about both ends, parts of which may have been lost: the
 /// face at a rim is what says that it is the end of a bore and not of a shaft.
 bool Opening::open(const LiddedBore& bore) {
-  constexpr Rings kPlain = {0, 2}, kWithFaces = {1, 3};
+  constexpr Rings kPlain = {0, 2}, kWithFaces = {1, 4};
   if (indices(bore.lids).empty()) return false;
-  Triangles faces;
-  std::size_t n_faces = 0;
+  if (bore.ends.size() == 2) {
+    const Triangles faces = faces_about(bore);
+    if (!faces.empty() && open(bore, faces, kWithFaces)) return true;
+  }
+  return !bore.is_half_open && open(bore, {}, kPlain);
+}
+
+/// None if a half of a rim is without, or any of it where the bore is half
+/// open: a bore has its face all round.
+Opening::Triangles Opening::faces_about(const LiddedBore& bore) {
+  Triangles result;
   for (const BoreEnd& end : bore.ends) {
     const Triangles face = face_about(end);
-    n_faces += face.empty() ? 0 : 1;
-    faces.insert(faces.end(), face.begin(), face.end());
+    const std::size_t n_edges = end.rim.size();
+    if (bore.is_half_open ? face.size() < n_edges : 2 * face.size() <= n_edges)
+      return {};
+    result.insert(result.end(), face.begin(), face.end());
   }
-  std::sort(faces.begin(), faces.end(), is_before);
-  return (n_faces == bore.ends.size() && open(bore, faces, kWithFaces)) ||
-         (!bore.is_half_open && open(bore, {}, kPlain));
+  std::sort(result.begin(), result.end(), is_before);
+  return result;
 }
 
 /// Takes the surface that solves the program without the lids, if it has one
