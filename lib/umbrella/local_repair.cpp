@@ -6,6 +6,7 @@
 
 #include "umbrella/badness_internal.h"
 #include "umbrella/census_internal.h"
+#include "umbrella/exchange_internal.h"
 #include "umbrella/handle_loops_internal.h"
 #include "umbrella/local_repair_internal.h"
 #include "umbrella/region_solver_internal.h"
@@ -19,6 +20,8 @@ constexpr std::size_t kMostVertices = 300;
 /// are cut. On 26 sets to choose by, 8 edges bring none right that 5 do not, 10
 /// one, and 12 lose that again: then it passes for a tube.
 constexpr unsigned kLonger = 2;
+/// The same of loops at which handles that are left are cut at last.
+constexpr unsigned kLongest = 4;
 
 /// Every piece that is no larger is banned, and no larger one looked for. The
 /// whole surface is none: of two pieces one has no more than half of it.
@@ -60,6 +63,7 @@ class Repair {
         groups_(triangulation, triangles),
         solver_(triangulation, local_options_, surface_, is_open_, groups_),
         badness_(triangulation, options.weight),
+        overlap_(triangulation, CloseWeight::BallOverlap),
         most_conflicts_(options.conflicts / 30),
         effort_{options.conflicts,
                 2 * (options.propagations + options.propagations_per_vertex *
@@ -82,15 +86,23 @@ class Repair {
 
   /// How to remove the handle that a loop goes round.
   enum class Way { Any, Cut };
+  enum class LastCut { None, Refused, Taken };
 
   bool hangs_together(const Vertices& piece);
   void remove_handles(HandleLoops& search, Loops loops, Way way);
+  void remove_last_handles(HandleLoops& search);
   bool remove_some_handles(const Loops& loops, Way way);
   bool remove_handle_at(const Vertices& loop, Way way);
   bool remove_handle(const Vertices& loop, const Region& region);
   Outcome take_fewer_triangles(const Vertices& loop, const Region& region,
                                std::uint64_t most_conflicts);
   bool cut(const Vertices& loop, const Region& region);
+  bool remove_last_handle(const Loops& loops);
+  LastCut cut_at_last(const Vertices& loop);
+  LastCut cut_at_last(const Vertices& loop, const Region& region);
+  bool costs_little(const Vertices& loop, const Attempt& solved) const;
+  bool has_changed(const Vertices& loop) const;
+  void forget_changes();
   std::vector<Vertices> parts_without(const Vertices& loop,
                                       const Vertices& vertices) const;
   bool may_replace(const Attempt& solved, double share_of_worst) const;
@@ -115,12 +127,14 @@ class Repair {
   PointGroups groups_;
   RegionSolver solver_;
   Badness badness_;
+  Badness overlap_;
   std::uint64_t most_conflicts_;  // lent to a program
   Effort effort_;                 // for all that is tried
   std::vector<bool> is_changed_;  // by vertex, since loops were looked for
   Vertices changed_;              // where that is so, perhaps more than once
   Vertices all_changed_;          // the same since all of it was looked at
   std::set<Vertices> tried_;
+  std::set<Vertices> refused_;  // of the last cuts
   Census at_first_;
   // Of the surface as it is.
   Vertices left_out_;  // ascending
@@ -184,6 +198,7 @@ std::size_t Repair::remove_handles(HandleLoops& search, Loops loops) {
     search.set_max_edges(kLonger * options_.handle_edges);
     remove_handles(search, search.about(surface_, all_changed_), Way::Cut);
   }
+  if (n_handles() < n_before) remove_last_handles(search);
   return n_before - n_handles();
 }
 
@@ -193,21 +208,57 @@ void Repair::remove_handles(HandleLoops& search, Loops loops, Way way) {
     if (may_go_on()) loops = search.about(surface_, changed_);
 }
 
+/// At few loops each, those of tubes and those tried in other ways among them.
+void Repair::remove_last_handles(HandleLoops& search) {
+  constexpr std::size_t kAlike = 8;
+  const unsigned max_edges = kLongest * options_.handle_edges;
+  tried_.clear();
+  bool is_any_removed = true;
+  while (may_go_on() && is_any_removed) {
+    forget_changes();
+    is_any_removed = false;
+    for (const Loops& loops :
+         search.independent(surface_, all_changed_, max_edges, kAlike))
+      is_any_removed |= remove_last_handle(loops);
+  }
+}
+
+/// What the triangles say about the first cut there is holds for the handle.
+///
+/// @param loops  that go round the same
+bool Repair::remove_last_handle(const Loops& loops) {
+  for (const Vertices& loop : loops) {
+    if (refused_.contains(loop) || is_over()) return false;
+    if (has_changed(loop) || !tried_.insert(loop).second) continue;
+    const LastCut cut = cut_at_last(loop);
+    if (cut == LastCut::Refused) refused_.insert(loop);
+    if (cut != LastCut::None) return cut == LastCut::Taken;
+  }
+  return false;
+}
+
 /// Tries each loop once, but for those that a removal has changed.
 /// @return whether any is removed
 bool Repair::remove_some_handles(const Loops& loops, Way way) {
-  for (const VertexId v : changed_) is_changed_[index(v)] = false;
-  changed_.clear();
+  forget_changes();
   bool is_any_removed = false;
   for (const Vertices& loop : loops) {
-    const bool has_changed =
-        std::any_of(loop.begin(), loop.end(),
-                    [this](VertexId v) { return is_changed_[index(v)]; });
-    if (has_changed || !tried_.insert(loop).second) continue;
+    if (has_changed(loop) || !tried_.insert(loop).second) continue;
     if (is_over()) break;
     is_any_removed |= remove_handle_at(loop, way);
   }
   return is_any_removed;
+}
+
+/// Since changes were forgotten.
+bool Repair::has_changed(const Vertices& loop) const {
+  return std::any_of(loop.begin(), loop.end(),
+                     [this](VertexId v) { return is_changed_[index(v)]; });
+}
+
+void Repair::forget_changes() {
+  for (const VertexId v : changed_) is_changed_[index(v)] = false;
+  changed_.clear();
 }
 
 /// Tries the vertices of the loop with one ring of the surface, then with two.
@@ -265,6 +316,50 @@ bool Repair::cut(const Vertices& loop, const Region& region) {
       return true;
   }
   return false;
+}
+
+/// In as few rings as it takes: most of the triangles that come close the
+/// handle then.
+Repair::LastCut Repair::cut_at_last(const Vertices& loop) {
+  constexpr int kRings = 3;
+  LastCut cut = LastCut::None;
+  Region region;
+  region.vertices = loop;
+  for (int ring = 0; ring < kRings && cut == LastCut::None; ++ring) {
+    region.vertices = ringed(region.vertices);
+    if (region.vertices.size() > kMostVertices) break;
+    cut = cut_at_last(loop, region);
+  }
+  return cut;
+}
+
+Repair::LastCut Repair::cut_at_last(const Vertices& loop,
+                                    const Region& region) {
+  const std::vector<Vertices> parts = parts_without(loop, region.vertices);
+  if (parts.size() < 2) return LastCut::None;
+  LastCut result = LastCut::None;
+  for (const Vertices& part : parts) {
+    const Attempt solved =
+        solution(region, {.part = part, .is_likely = false}, most_conflicts_);
+    if (solved.outcome != Outcome::Solved ||
+        solved.chosen.size() + kTrianglesOfHandle > solved.freed.size())
+      continue;
+    if (costs_little(loop, solved) && take(solved, n_components_))
+      return LastCut::Taken;
+    result = LastCut::Refused;
+  }
+  return result;
+}
+
+/// Whether the triangles that come have, on average, little more of ball
+/// overlap than those that go. Well sampled, a tube has triangles near -1, and
+/// those that close it are near 1; where parts touch they are much alike. The
+/// more edges a loop has, the better is a tube of its size sampled.
+bool Repair::costs_little(const Vertices& loop, const Attempt& solved) const {
+  const bool is_long = loop.size() > kLonger * options_.handle_edges;
+  const double most = is_long ? 2.0 / 3 : 0.5;
+  const Exchange exchange = exchange_of(solved, surface_, overlap_);
+  return exchange.mean_coming <= exchange.mean_going + most;
 }
 
 /// Vertices but for those of the loop, in parts that edges of the surface hold

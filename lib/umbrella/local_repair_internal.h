@@ -31,12 +31,16 @@ struct LocalRepair {
 ///   handle and no tube, for one through the same points without: with all
 ///   points used, one handle less is four triangles less;
 /// - if that has removed any, about loops of up to twice as many edges, for one
-///   whose two sides are closed apart from each other.
+///   whose two sides are closed apart from each other, and then about some of
+///   up to four times as many that go round a handle that is left, of a tube
+///   or not.
 ///
 /// But for loops of three edges, a handle goes only if its worst triangle is as
 /// bad as those that come are on average, by options.weight. Where a short loop
 /// does not give way to a short search it is cut as well, if its worst triangle
-/// is as bad as the mean of that average and the worst that comes.
+/// is as bad as the mean of that average and the worst that comes. At last a
+/// handle goes if those that come have, on average, at most half more of ball
+/// overlap than those that go, or two thirds at a long loop.
 ///
 /// No point is lost, and components never become more.
 ///
