@@ -173,5 +173,33 @@ TEST(HandleLoops, OfMoreEdgesAreThoseOfTheWholeSurface) {
   EXPECT_GT(n_longer, 0U);
 }
 
+/// About the places that have changed in all. Between two of the last ones
+/// three edges lead round the other way.
+TEST(HandleLoops, OfWhichNoSumBoundsGoRoundEachHandle) {
+  Surface torus;
+  HandleLoops search(kMaxEdges);
+  search.all(kSide * kSide, torus.surface().sorted());
+  std::vector<VertexId> changed;
+  std::size_t n_handles = 0;
+  for (const auto& [a, b] : places()) {
+    if (n_handles > 18) break;
+    SCOPED_TRACE(testing::Message() << n_handles << " handles");
+    const auto found =
+        search.independent(torus.surface(), changed, kMaxEdges, 2);
+    EXPECT_EQ(std::count_if(found.begin(), found.end(),
+                            [](const HandleLoops::Loops& loops) {
+                              return loops.front().size() == 3;
+                            }),
+              n_handles);
+    for (const HandleLoops::Loops& loops : found) {
+      EXPECT_LE(loops.size(), 2U);
+      for (const auto& loop : loops) EXPECT_LE(loop.size(), kMaxEdges);
+    }
+    const auto made = torus.toggle(a, b);
+    changed.insert(changed.end(), made.begin(), made.end());
+    ++n_handles;
+  }
+}
+
 }  // namespace
 }  // namespace umbrella

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <utility>
 
 #include "umbrella/essential_loops_internal.h"
@@ -14,6 +15,37 @@ constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 bool is_before(const std::vector<VertexId>& a, const std::vector<VertexId>& b) {
   return a.size() != b.size() ? a.size() < b.size() : a < b;
 }
+
+/// All sums of some labels. In each row the first bit stands that no row before
+/// has left there.
+class Sums {
+ public:
+  using Label = std::vector<EdgeLabels::Word>;
+
+  /// @return whether the label is no sum of those added before
+  bool add(Label label) {
+    for (const auto& [first, row] : rows_)
+      if (has_bit(label, first))
+        for (std::size_t w = 0; w < label.size(); ++w) label[w] ^= row[w];
+    const std::size_t n_bits = EdgeLabels::kBits * label.size();
+    std::size_t first = 0;
+    while (first < n_bits && !has_bit(label, first)) ++first;
+    if (first == n_bits) return false;
+    rows_.push_back({first, std::move(label)});
+    return true;
+  }
+
+ private:
+  struct Row {
+    std::size_t first;
+    Label label;
+  };
+  static bool has_bit(const Label& label, std::size_t i) {
+    return (label[i / EdgeLabels::kBits] >> (i % EdgeLabels::kBits) & 1U) != 0;
+  }
+
+  std::vector<Row> rows_;
+};
 
 }  // namespace
 
@@ -49,19 +81,50 @@ bool EssentialLoops::has_loop(unsigned max_edges) {
 }
 
 /// An essential loop has a labelled edge. So it goes through the smaller end of
-/// one, and no vertex of it is more than half its length away from that end.
-EssentialLoops::Found EssentialLoops::shortest(unsigned max_edges) {
+/// one.
+std::vector<VertexId> EssentialLoops::starts(unsigned max_edges) {
   std::vector<VertexId> starts = labels_.labelled_ends();
   std::erase_if(starts, [&](VertexId v) {
     return shortest_through(v, max_edges).vertices.empty();
   });
-  if (starts.empty()) return {};
-  return shortest(widened(starts, max_edges / 2), max_edges);
+  return starts;
+}
+
+/// No vertex of a loop is more than half its length away from where it starts.
+EssentialLoops::Found EssentialLoops::shortest(unsigned max_edges) {
+  const std::vector<VertexId> ends = starts(max_edges);
+  if (ends.empty()) return {};
+  return shortest(widened(ends, max_edges / 2), max_edges);
 }
 
 EssentialLoops::Found EssentialLoops::shortest(std::span<const VertexId> starts,
                                                unsigned max_edges) {
   return sort_out(shortest_through(starts, max_edges));
+}
+
+std::vector<EssentialLoops::Loops> EssentialLoops::independent(
+    unsigned max_edges, std::size_t n_alike) {
+  std::vector<Loop> loops =
+      shortest_through(labels_.labelled_ends(), max_edges);
+  std::sort(loops.begin(), loops.end(), [](const Loop& a, const Loop& b) {
+    return is_before(a.vertices, b.vertices);
+  });
+  std::vector<Loops> result;
+  std::map<std::vector<Word>, std::size_t> place;  // by label, in the result
+  Sums sums;
+  for (Loop& loop : loops) {
+    if (sums.add(loop.label)) {
+      place.emplace(loop.label, result.size());
+      result.emplace_back();
+    }
+    const auto found = place.find(loop.label);
+    if (found == place.end()) continue;
+    Loops& alike = result[found->second];
+    if (alike.size() < n_alike &&
+        (alike.empty() || alike.back() != loop.vertices))
+      alike.push_back(std::move(loop.vertices));
+  }
+  return result;
 }
 
 EssentialLoops::Found EssentialLoops::sort_out(std::vector<Loop> loops) {

@@ -41,6 +41,17 @@ class EssentialLoops {
   Found shortest(std::span<const VertexId> starts, unsigned max_edges);
   static constexpr std::size_t kTube = 4;
 
+  /// Vertices such that each loop that does not bound of at most `max_edges`
+  /// edges goes through one of them; ascending.
+  std::vector<VertexId> starts(unsigned max_edges);
+  /// The vertices of each; ascending.
+  using Loops = std::vector<std::vector<VertexId>>;
+  /// Of the shortest loops of at most `max_edges` edges through each of
+  /// starts() at most `n_alike` that bound pairwise; as often as there are some
+  /// of which no sum with those before bounds. The short ones first, both
+  /// times.
+  std::vector<Loops> independent(unsigned max_edges, std::size_t n_alike);
+
  private:
   using Word = EdgeLabels::Word;
   using Spoke = EdgeLabels::Spoke;

@@ -180,6 +180,26 @@ class Places {
   Vertices vertices_;
 };
 
+/// The triangles with a corner among some vertices, and the loops of theirs
+/// that do not bound on the whole surface.
+struct Window {
+  Window(const WorkingSurface& surface, Vertices inner)
+      : Window(surface, near_triangles(surface, std::move(inner))) {}
+
+  Places places;
+  EssentialLoops loops;
+
+ private:
+  Window(const WorkingSurface& surface, Near near)
+      : places(near), loops(loops_of(Beyond(surface, near).seams(), near)) {}
+
+  EssentialLoops loops_of(std::vector<Seam> seams, Near& near) const {
+    for (Triangle& t : near.triangles) places.replace(t);
+    for (Seam& seam : seams) places.replace(seam.ends);
+    return {places.size(), near.triangles, seams};
+  }
+};
+
 }  // namespace
 
 HandleLoops::Loops HandleLoops::all(
@@ -206,19 +226,28 @@ HandleLoops::Loops HandleLoops::about(const WorkingSurface& surface,
   Vertices starts = widened(surface, changed, reach);
   starts.insert(starts.end(), on_loops_.begin(), on_loops_.end());
   sort_unique(starts);
-  Near near = near_triangles(surface, widened(surface, starts, reach));
-  std::vector<Seam> seams = Beyond(surface, near).seams();
-
-  const Places places(near);
-  for (Triangle& t : near.triangles) places.replace(t);
-  for (Seam& seam : seams) places.replace(seam.ends);
-  places.replace(starts);
-  EssentialLoops loops(places.size(), near.triangles, seams);
-  EssentialLoops::Found found = loops.shortest(starts, max_edges_);
-  for (Vertices& loop : found.loops) places.restore(loop);
-  places.restore(found.vertices);
+  Window window(surface, widened(surface, starts, reach));
+  window.places.replace(starts);
+  EssentialLoops::Found found = window.loops.shortest(starts, max_edges_);
+  for (Vertices& loop : found.loops) window.places.restore(loop);
+  window.places.restore(found.vertices);
   on_loops_ = std::move(found.vertices);
   return std::move(found.loops);
+}
+
+/// A loop that goes through no new triangle was there at first, and did not
+/// bound then either.
+std::vector<HandleLoops::Loops> HandleLoops::independent(
+    const WorkingSurface& surface, std::span<const VertexId> changed,
+    unsigned max_edges, std::size_t n_alike) {
+  Vertices starts = at_first_->starts(max_edges);
+  starts.insert(starts.end(), changed.begin(), changed.end());
+  sort_unique(starts);
+  Window window(surface, widened(surface, std::move(starts), max_edges / 2));
+  std::vector<Loops> result = window.loops.independent(max_edges, n_alike);
+  for (Loops& loops : result)
+    for (Vertices& loop : loops) window.places.restore(loop);
+  return result;
 }
 
 }  // namespace umbrella

@@ -34,6 +34,13 @@ class HandleLoops {
   /// found, of tubes as well.
   Loops about(const WorkingSurface& surface, std::span<const VertexId> changed);
 
+  /// EssentialLoops::independent of the surface, twice a handle at most.
+  /// @param changed  vertices of the triangles that have come since all()
+  /// @pre all() has been called
+  std::vector<Loops> independent(const WorkingSurface& surface,
+                                 std::span<const VertexId> changed,
+                                 unsigned max_edges, std::size_t n_alike);
+
  private:
   unsigned max_edges_;
   std::optional<EssentialLoops> at_first_;  // of the call of all()

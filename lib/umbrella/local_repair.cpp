@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "umbrella/badness_internal.h"
-#include "umbrella/disjoint_sets_internal.h"
+#include "umbrella/census_internal.h"
 #include "umbrella/exchange_internal.h"
 #include "umbrella/handle_loops_internal.h"
 #include "umbrella/local_repair_internal.h"
@@ -20,6 +20,8 @@ constexpr std::size_t kMostVertices = 300;
 /// are cut. On 26 sets to choose by, 8 edges bring none right that 5 do not, 10
 /// one, and 12 lose that again: then it passes for a tube.
 constexpr unsigned kLonger = 2;
+/// The same of loops at which handles that are left are cut at last.
+constexpr unsigned kLongest = 4;
 
 /// A handle stays if the triangles that would come are so many times as bad as
 /// those that would go. On one half of 342 samples of surfaces 1.3, 1.4 and 1.5
@@ -46,44 +48,6 @@ std::vector<RankedTriangle> with_ranks(
   return result;
 }
 
-/// What triangles make of the points.
-class Census {
- public:
-  Census(std::size_t n_vertices, std::span<const LocatedTriangle> triangles)
-      : sets_(n_vertices), is_used_(n_vertices) {
-    for (const auto& [t, facet] : triangles) {
-      for (const VertexId v : t) is_used_[index(v)] = 1;
-      sets_.unite(index(t[0]), index(t[1]));
-      sets_.unite(index(t[0]), index(t[2]));
-    }
-  }
-
-  std::vector<VertexId> unused() const {
-    std::vector<VertexId> result;
-    for (std::uint32_t v = 0; v < is_used_.size(); ++v)
-      if (is_used_[v] == 0) result.push_back(VertexId{v});
-    return result;
-  }
-  std::size_t n_components() {
-    std::size_t n = 0;
-    for (std::size_t v = 0; v < is_used_.size(); ++v)
-      n += is_used_[v] != 0 && sets_.root(v) == v ? 1 : 0;
-    return n;
-  }
-  /// The vertices of each component, ascending.
-  std::vector<std::vector<VertexId>> components() {
-    std::vector<std::vector<VertexId>> of_root(is_used_.size());
-    for (std::uint32_t v = 0; v < is_used_.size(); ++v)
-      if (is_used_[v] != 0) of_root[sets_.root(v)].push_back(VertexId{v});
-    std::erase_if(of_root, [](const auto& part) { return part.empty(); });
-    return of_root;
-  }
-
- private:
-  DisjointSets sets_;
-  std::vector<std::uint8_t> is_used_;
-};
-
 /// Of a surface on which each edge has two triangles.
 std::size_t count_handles(std::size_t n_vertices, std::size_t n_triangles,
                           std::size_t n_components) {
@@ -104,6 +68,7 @@ class Repair {
         groups_(triangulation, triangles, surface_),
         solver_(triangulation, local_options_, surface_, is_open_, groups_),
         badness_(triangulation, options.weight),
+        overlap_(triangulation, CloseWeight::BallOverlap),
         most_conflicts_(local_effort(options, 0, 0).conflicts_of_each),
         effort_(local_effort(options, triangulation.points().size(), 2).all),
         is_changed_(triangulation.points().size()),
@@ -124,15 +89,23 @@ class Repair {
 
   /// How to remove the handle that a loop goes round.
   enum class Way { Any, Cut };
+  enum class LastCut { None, Refused, Taken };
 
   bool hangs_together(const Vertices& piece);
   void remove_handles(HandleLoops& search, Loops loops, Way way);
+  void remove_last_handles(HandleLoops& search);
   bool remove_some_handles(const Loops& loops, Way way);
   bool remove_handle_at(const Vertices& loop, Way way);
   bool remove_handle(const Vertices& loop, const Region& region);
   Outcome take_fewer_triangles(const Vertices& loop, const Region& region,
                                std::uint64_t most_conflicts);
   bool cut(const Vertices& loop, const Region& region);
+  bool remove_last_handle(const Loops& loops);
+  LastCut cut_at_last(const Vertices& loop);
+  LastCut cut_at_last(const Vertices& loop, const Region& region);
+  bool costs_little(const Vertices& loop, const Attempt& solved) const;
+  bool has_changed(const Vertices& loop) const;
+  void forget_changes();
   std::vector<Vertices> parts_without(const Vertices& loop,
                                       const Vertices& vertices) const;
   bool may_go(const Vertices& loop, const Attempt& solved) const;
@@ -157,12 +130,14 @@ class Repair {
   PointGroups groups_;
   RegionSolver solver_;
   Badness badness_;
+  Badness overlap_;
   std::uint64_t most_conflicts_;  // lent to a program
   Effort effort_;                 // for all that is tried
   std::vector<bool> is_changed_;  // by vertex, since loops were looked for
   Vertices changed_;              // where that is so, perhaps more than once
   Vertices all_changed_;          // the same since all of it was looked at
   std::set<Vertices> tried_;
+  std::set<Vertices> refused_;  // of the last cuts
   Census at_first_;
   // Of the surface as it is.
   Vertices left_out_;  // ascending
@@ -226,6 +201,7 @@ std::size_t Repair::remove_handles(HandleLoops& search, Loops loops) {
     search.set_max_edges(kLonger * options_.handle_edges);
     remove_handles(search, search.about(surface_, all_changed_), Way::Cut);
   }
+  if (n_handles() < n_before) remove_last_handles(search);
   return n_before - n_handles();
 }
 
@@ -235,21 +211,57 @@ void Repair::remove_handles(HandleLoops& search, Loops loops, Way way) {
     if (may_go_on()) loops = search.about(surface_, changed_);
 }
 
+/// At few loops each, those of tubes and those tried in other ways among them.
+void Repair::remove_last_handles(HandleLoops& search) {
+  constexpr std::size_t kAlike = 8;
+  const unsigned max_edges = kLongest * options_.handle_edges;
+  tried_.clear();
+  bool is_any_removed = true;
+  while (may_go_on() && is_any_removed) {
+    forget_changes();
+    is_any_removed = false;
+    for (const Loops& loops :
+         search.independent(surface_, all_changed_, max_edges, kAlike))
+      is_any_removed |= remove_last_handle(loops);
+  }
+}
+
+/// What the triangles say about the first cut there is holds for the handle.
+///
+/// @param loops  that go round the same
+bool Repair::remove_last_handle(const Loops& loops) {
+  for (const Vertices& loop : loops) {
+    if (refused_.contains(loop) || is_over()) return false;
+    if (has_changed(loop) || !tried_.insert(loop).second) continue;
+    const LastCut cut = cut_at_last(loop);
+    if (cut == LastCut::Refused) refused_.insert(loop);
+    if (cut != LastCut::None) return cut == LastCut::Taken;
+  }
+  return false;
+}
+
 /// Tries each loop once, but for those that a removal has changed.
 /// @return whether any is removed
 bool Repair::remove_some_handles(const Loops& loops, Way way) {
-  for (const VertexId v : changed_) is_changed_[index(v)] = false;
-  changed_.clear();
+  forget_changes();
   bool is_any_removed = false;
   for (const Vertices& loop : loops) {
-    const bool has_changed =
-        std::any_of(loop.begin(), loop.end(),
-                    [this](VertexId v) { return is_changed_[index(v)]; });
-    if (has_changed || !tried_.insert(loop).second) continue;
+    if (has_changed(loop) || !tried_.insert(loop).second) continue;
     if (is_over()) break;
     is_any_removed |= remove_handle_at(loop, way);
   }
   return is_any_removed;
+}
+
+/// Since changes were forgotten.
+bool Repair::has_changed(const Vertices& loop) const {
+  return std::any_of(loop.begin(), loop.end(),
+                     [this](VertexId v) { return is_changed_[index(v)]; });
+}
+
+void Repair::forget_changes() {
+  for (const VertexId v : changed_) is_changed_[index(v)] = false;
+  changed_.clear();
 }
 
 /// Tries the vertices of the loop with one ring of the surface, then with two.
@@ -314,6 +326,50 @@ bool Repair::cut(const Vertices& loop, const Region& region) {
       return true;
   }
   return false;
+}
+
+/// In as few rings as it takes: most of the triangles that come close the
+/// handle then.
+Repair::LastCut Repair::cut_at_last(const Vertices& loop) {
+  constexpr int kRings = 3;
+  LastCut cut = LastCut::None;
+  Region region;
+  region.vertices = loop;
+  for (int ring = 0; ring < kRings && cut == LastCut::None; ++ring) {
+    region.vertices = ringed(region.vertices);
+    if (region.vertices.size() > kMostVertices) break;
+    cut = cut_at_last(loop, region);
+  }
+  return cut;
+}
+
+Repair::LastCut Repair::cut_at_last(const Vertices& loop,
+                                    const Region& region) {
+  const std::vector<Vertices> parts = parts_without(loop, region.vertices);
+  if (parts.size() < 2) return LastCut::None;
+  LastCut result = LastCut::None;
+  for (const Vertices& part : parts) {
+    const Attempt solved =
+        solution(region, {.part = part, .is_likely = false}, most_conflicts_);
+    if (solved.outcome != Outcome::Solved ||
+        solved.chosen.size() + kTrianglesOfHandle > solved.freed.size())
+      continue;
+    if (costs_little(loop, solved) && take(solved, n_components_))
+      return LastCut::Taken;
+    result = LastCut::Refused;
+  }
+  return result;
+}
+
+/// Whether the triangles that come have, on average, little more of ball
+/// overlap than those that go. Well sampled, a tube has triangles near -1, and
+/// those that close it are near 1; where parts touch they are much alike. The
+/// more edges a loop has, the better is a tube of its size sampled.
+bool Repair::costs_little(const Vertices& loop, const Attempt& solved) const {
+  const bool is_long = loop.size() > kLonger * options_.handle_edges;
+  const double most = is_long ? 2.0 / 3 : 0.5;
+  const Exchange exchange = exchange_of(solved, surface_, overlap_);
+  return exchange.mean_coming <= exchange.mean_going + most;
 }
 
 /// Vertices but for those of the loop, in parts that edges of the surface hold

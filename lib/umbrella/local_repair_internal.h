@@ -32,12 +32,16 @@ struct LocalRepair {
 ///   handle and no tube, for one through the same points without: with all
 ///   points used, one handle less is four triangles less;
 /// - if that has removed any, about loops of up to twice as many edges, for one
-///   whose two sides are closed apart from each other.
+///   whose two sides are closed apart from each other, and then about some of
+///   up to four times as many that go round a handle that is left, of a tube
+///   or not.
 ///
 /// But for loops of three edges, a handle stays if the triangles that would
 /// come are on average 1.4 times as bad as those that would go, by
 /// options.weight; of a longer loop than options.handle_edges, if they are
-/// worse on average than the worst of those.
+/// worse on average than the worst of those. At last a handle goes if those that
+/// come have, on average, at most half more of ball overlap than those that go,
+/// or two thirds at a long loop.
 ///
 /// No point is lost, and components never become more.
 ///
