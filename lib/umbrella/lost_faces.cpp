@@ -42,6 +42,17 @@ class Regaining {
   bool is_lost(const FlatFace& face) const;
   bool is_section(const FlatFace& face) const;
   std::vector<VertexId> ringed(std::span<const VertexId> vertices);
+  Point3 area_vector(const Triangle& t) const {
+    const Point3 a = point(t[0]);
+    return (point(t[1]) - a).cross(point(t[2]) - a) / 2;
+  }
+  std::vector<LocatedTriangle> missing_of(const FlatFace& face) const {
+    std::vector<LocatedTriangle> result = face.triangles;
+    std::erase_if(result, [this](const LocatedTriangle& t) {
+      return find(t.corners).has_value();
+    });
+    return result;
+  }
   bool attempt(const Region& region, const FlatFace& face);
 
   const delaunay::Triangulation3& triangulation_;
@@ -72,7 +83,7 @@ bool Regaining::is_lost(const FlatFace& face) const {
     surface_.for_each_at(v, [&](TriangleIndex t) {
       const auto& [a, b, c] = surface_.corners(t);
       if (a != v || !is_corner(b) || !is_corner(c)) return;
-      covered += (point(b) - point(a)).cross(point(c) - point(a)).norm() / 2;
+      covered += area_vector(surface_.corners(t)).norm();
     });
   return covered < face.area / 2;
 }
@@ -112,10 +123,6 @@ bool Regaining::regain(const FlatFace& face) {
       std::all_of(face.vertices.begin(), face.vertices.end(),
                   [this](VertexId v) { return surface_.is_used(v); });
   if (!is_used || !is_lost(face) || is_section(face)) return false;
-  std::vector<LocatedTriangle> missing;
-  for (const LocatedTriangle& t : face.triangles)
-    if (!find(t.corners)) missing.push_back(t);
-  for (const LocatedTriangle& t : missing) surface_.add(t);
   Region region;
   region.vertices = face.vertices;
   for (int ring = 0; ring <= kRings; ++ring) {
@@ -123,13 +130,14 @@ bool Regaining::regain(const FlatFace& face) {
     if (ring > 0) region.vertices = ringed(region.vertices);
     if (attempt(region, face)) return true;
   }
-  for (const LocatedTriangle& t : missing) surface_.remove(*find(t.corners));
   return false;
 }
 
-/// Takes the surface that solves the program with the whole face, if it falls
-/// into no more pieces.
+/// Takes the surface that solves the program with the whole face, if that has
+/// no more pieces and no more handles.
 bool Regaining::attempt(const Region& region, const FlatFace& face) {
+  const std::vector<LocatedTriangle> missing = missing_of(face);
+  for (const LocatedTriangle& t : missing) surface_.add(t);
   std::vector<LocatedTriangle> candidates = solver_.candidates(region);
   std::erase_if(candidates, [&](const LocatedTriangle& t) {
     return std::binary_search(face.triangles.begin(), face.triangles.end(), t,
@@ -139,11 +147,14 @@ bool Regaining::attempt(const Region& region, const FlatFace& face) {
       options_.conflicts / 30, options_.propagations, [&](Effort& lent) {
         return solver_.attempt({region, std::move(candidates)}, lent, {});
       });
-  if (solved.outcome != Outcome::Solved ||
-      solver_.n_pieces_added(solved, effort_) > 0)
-    return false;
-  surface_.replace(solved.freed, solved.chosen);
-  return true;
+  if (solved.outcome == Outcome::Solved &&
+      solved.chosen.size() + missing.size() <= solved.freed.size() &&
+      solver_.n_pieces_added(solved, effort_) <= 0) {
+    surface_.replace(solved.freed, solved.chosen);
+    return true;
+  }
+  for (const LocatedTriangle& t : missing) surface_.remove(*find(t.corners));
+  return false;
 }
 
 /// The triangles of all cells at what the closing has added.
