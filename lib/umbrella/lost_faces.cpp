@@ -157,6 +157,53 @@ bool Regaining::attempt(const Region& region, const FlatFace& face) {
   return false;
 }
 
+/// Whether a triangle of the surface lies in the plane of another one at it.
+bool continues(const delaunay::Triangulation3& triangulation,
+               const WorkingSurface& surface, TriangleIndex t) {
+  const Triangle& corners = surface.corners(t);
+  const Point3& a = triangulation.point(corners[0]);
+  const Point3 u = triangulation.point(corners[1]) - a;
+  const Point3 v = triangulation.point(corners[2]) - a;
+  const Point3 n = u.stableNormalized().cross(v.stableNormalized());
+  const double root_of_area = std::sqrt(u.stableNorm()) *
+                              std::sqrt(v.stableNorm()) *
+                              std::sqrt(n.norm() / 2);
+  const Point3 normal = n.normalized();
+  bool result = false;
+  for (const VertexId x : corners)
+    surface.for_each_at(x, [&](TriangleIndex other) {
+      VertexId apex = x;
+      unsigned n_shared = 0;
+      for (const VertexId w : surface.corners(other))
+        if (std::find(corners.begin(), corners.end(), w) != corners.end())
+          ++n_shared;
+        else
+          apex = w;
+      if (n_shared != 2) return;
+      const double height = (triangulation.point(apex) - a).dot(normal);
+      result |= std::abs(height) <= FlatFace::kTolerance * root_of_area;
+    });
+  return result;
+}
+
+/// A look at some triangles of the surface, evenly spread: of a designed body
+/// a quarter and more continue others. Of the real sets 46 % to all do where
+/// they are designed, up to 17 % where they are scans (flat_faces.md).
+bool may_have_flat_faces(const delaunay::Triangulation3& triangulation,
+                         const WorkingSurface& surface) {
+  constexpr std::size_t kLooks = 256;
+  const std::size_t step =
+      std::max<std::size_t>(1, surface.n_indices() / kLooks);
+  std::size_t n = 0, n_flat = 0;
+  for (std::size_t i = 0; i < surface.n_indices(); i += step) {
+    const auto t = static_cast<TriangleIndex>(i);
+    if (!surface.contains(t)) continue;
+    ++n;
+    n_flat += continues(triangulation, surface, t) ? 1 : 0;
+  }
+  return 4 * n_flat >= n;
+}
+
 /// The triangles of all cells at what the closing has added.
 std::vector<LocatedTriangle> seeds(
     const delaunay::Triangulation3& triangulation,
@@ -189,6 +236,7 @@ std::vector<LocatedTriangle> seeds(
 RegainedFaces regain_faces(const delaunay::Triangulation3& triangulation,
                            const ClosingOptions& options,
                            WorkingSurface& surface) {
+  if (!may_have_flat_faces(triangulation, surface)) return {};
   std::vector<FlatFace> faces =
       find_flat_faces(triangulation, seeds(triangulation, surface));
   std::erase_if(faces,
