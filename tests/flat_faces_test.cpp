@@ -124,5 +124,98 @@ TEST(FlatFaces, AreNotInARandomSample) {
   }
 }
 
+/// A square plate, n points on each side, with a head on the one side and a
+/// thinner shank on the other.
+Points bolt(double height, int n, int n_ring) {
+  Points points;
+  for (const double z : {0.0, height})
+    for (int i = 0; i < n; ++i) {
+      const double x = 2.0 * i / n;
+      points.emplace_back(x, 0, z);
+      points.emplace_back(2, x, z);
+      points.emplace_back(2 - x, 2, z);
+      points.emplace_back(0, 2 - x, z);
+    }
+  for (const double z : {height, height + 0.2})
+    add_ring({.x = 1, .y = 1, .radius = 0.5}, z, n_ring, points);
+  for (const double z : {-0.6, 0.0})
+    add_ring({.x = 1, .y = 1, .radius = 0.25}, z, n_ring, points);
+  return points;
+}
+
+Reconstruction closed(const Points& points, bool regain_faces,
+                      unsigned threads = 1) {
+  ReconstructOptions options;
+  options.closing.regain_faces = regain_faces;
+  options.closing.open_bores = false;
+  options.closing.handle_edges = 0;
+  options.threads = threads;
+  return reconstruct(points, options);
+}
+
+/// The area of triangles at some height.
+double area_at(const Points& points, const Reconstruction& result, double z) {
+  double area = 0;
+  for (const auto& [a, b, c] : result.triangles)
+    if (std::abs(points[a].z() - z) < 1e-4 &&
+        std::abs(points[b].z() - z) < 1e-4 &&
+        std::abs(points[c].z() - z) < 1e-4)
+      area += (points[b] - points[a]).cross(points[c] - points[a]).norm() / 2;
+  return area;
+}
+
+TEST(LostFaces, ArePutInWithoutPiecesOrHandles) {
+  std::mt19937_64 rng(4);
+  std::uniform_real_distribution<double> height(0.1, 0.4);
+  std::size_t n_regained = 0;
+  for (int trial = 0; trial < 16; ++trial) {
+    SCOPED_TRACE(testing::Message() << "trial " << trial);
+    const int n = 4 + static_cast<int>(rng() % 6);
+    const Points points = placed(bolt(height(rng), n, 10 + 2 * n), trial, rng);
+    const Reconstruction before = closed(points, false);
+    const Reconstruction after = closed(points, true);
+    ASSERT_TRUE(after.surface.closed && after.surface.manifold);
+    EXPECT_EQ(before.closing.faces_regained, 0U);
+    EXPECT_LE(after.surface.components, before.surface.components);
+    EXPECT_LE(*after.surface.genus, *before.surface.genus);
+    EXPECT_EQ(after.surface.unused_vertices, before.surface.unused_vertices);
+    if (after.closing.faces_regained == 0) {
+      EXPECT_EQ(after.triangles, before.triangles);
+    }
+    n_regained += after.closing.faces_regained;
+  }
+  EXPECT_GE(n_regained, 4U);
+}
+
+TEST(LostFaces, AreFlatAfterwards) {
+  std::size_t n_regained = 0;
+  for (int n = 4; n < 10; ++n) {
+    SCOPED_TRACE(testing::Message() << "n " << n);
+    const Points points = bolt(0.2, n, 2 * n + 4);
+    const Reconstruction before = closed(points, false);
+    const Reconstruction after = closed(points, true);
+    if (after.closing.faces_regained == 0) continue;
+    n_regained += after.closing.faces_regained;
+    EXPECT_GT(area_at(points, after, 0) + area_at(points, after, 0.2),
+              area_at(points, before, 0) + area_at(points, before, 0.2));
+  }
+  EXPECT_GE(n_regained, 1U);
+}
+
+TEST(LostFaces, DependNeitherOnUnitNorOnThreads) {
+  std::mt19937_64 rng(5);
+  for (int n = 4; n < 8; ++n) {
+    SCOPED_TRACE(testing::Message() << "n " << n);
+    Points points = placed(bolt(0.2, n, 18), 0, rng);
+    const Reconstruction expected = closed(points, true);
+    EXPECT_EQ(closed(points, true, 3).triangles, expected.triangles);
+    for (const int exponent : {-600, -30, 40, 500}) {
+      Points scaled = points;
+      for (Point3& p : scaled) p *= std::ldexp(1, exponent);
+      EXPECT_EQ(closed(scaled, true).triangles, expected.triangles);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace umbrella

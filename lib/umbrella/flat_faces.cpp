@@ -229,7 +229,9 @@ void FaceSearch::add_faces(const Patch& patch,
   for (const LocatedTriangle& t : tiles)
     vertices.insert(vertices.end(), t.corners.begin(), t.corners.end());
   sort_unique(vertices);
-  if (vertices.size() < FlatFace::kLeastVertices) return;
+  if (vertices.size() < FlatFace::kLeastVertices ||
+      vertices.size() > FlatFace::kMostVertices)
+    return;
   const std::vector<Side> curve = curves(patch.plane, vertices);
   if (curve.empty()) return;
   const Parity parity(tiles, curve);

@@ -34,6 +34,8 @@ struct FlatFace {
 
   /// Fewer points lie on one plane by chance, or in a grid.
   static constexpr std::size_t kLeastVertices = 8;
+  /// More are the scan of a plane.
+  static constexpr std::size_t kMostVertices = 4096;
   /// What a corner may be off by, as part of the root of the area of the
   /// largest triangle. Files hold CAD models with five digits or so.
   static constexpr double kTolerance = 1e-4;
@@ -43,7 +45,8 @@ struct FlatFace {
 ///
 /// All triangles that hang together with one of these in its plane are looked
 /// at, and all of their corners are put on closed curves, the shortest ones
-/// (curve.h). A face is what lies within an odd number of them.
+/// (curve.h). A face is what lies within an odd number of them. Planes with
+/// more than FlatFace::kMostVertices corners are left out.
 ///
 /// @param seeds  distinct, by ascending corners
 /// @return the largest first; no two share a triangle

@@ -40,6 +40,17 @@ class Regaining {
   bool is_lost(const FlatFace& face) const;
   bool is_section(const FlatFace& face) const;
   std::vector<VertexId> ringed(std::span<const VertexId> vertices);
+  Point3 area_vector(const Triangle& t) const {
+    const Point3 a = point(t[0]);
+    return (point(t[1]) - a).cross(point(t[2]) - a) / 2;
+  }
+  std::vector<LocatedTriangle> missing_of(const FlatFace& face) const {
+    std::vector<LocatedTriangle> result = face.triangles;
+    std::erase_if(result, [this](const LocatedTriangle& t) {
+      return find(t.corners).has_value();
+    });
+    return result;
+  }
   bool attempt(const Region& region, const FlatFace& face);
 
   const delaunay::Triangulation3& triangulation_;
@@ -70,7 +81,7 @@ bool Regaining::is_lost(const FlatFace& face) const {
     surface_.for_each_at(v, [&](TriangleIndex t) {
       const auto& [a, b, c] = surface_.corners(t);
       if (a != v || !is_corner(b) || !is_corner(c)) return;
-      covered += (point(b) - point(a)).cross(point(c) - point(a)).norm() / 2;
+      covered += area_vector(surface_.corners(t)).norm();
     });
   return covered < face.area / 2;
 }
@@ -110,10 +121,6 @@ bool Regaining::regain(const FlatFace& face) {
       std::all_of(face.vertices.begin(), face.vertices.end(),
                   [this](VertexId v) { return surface_.is_used(v); });
   if (!is_used || !is_lost(face) || is_section(face)) return false;
-  std::vector<LocatedTriangle> missing;
-  for (const LocatedTriangle& t : face.triangles)
-    if (!find(t.corners)) missing.push_back(t);
-  for (const LocatedTriangle& t : missing) surface_.add(t);
   Region region;
   region.vertices = face.vertices;
   for (int ring = 0; ring <= kRings; ++ring) {
@@ -121,13 +128,14 @@ bool Regaining::regain(const FlatFace& face) {
     if (ring > 0) region.vertices = ringed(region.vertices);
     if (attempt(region, face)) return true;
   }
-  for (const LocatedTriangle& t : missing) surface_.remove(*find(t.corners));
   return false;
 }
 
-/// Takes the surface that solves the program with the whole face, if it falls
-/// into no more pieces.
+/// Takes the surface that solves the program with the whole face, if that has
+/// no more pieces and no more handles.
 bool Regaining::attempt(const Region& region, const FlatFace& face) {
+  const std::vector<LocatedTriangle> missing = missing_of(face);
+  for (const LocatedTriangle& t : missing) surface_.add(t);
   std::vector<LocatedTriangle> candidates = solver_.candidates(region);
   std::erase_if(candidates, [&](const LocatedTriangle& t) {
     return std::binary_search(face.triangles.begin(), face.triangles.end(), t,
@@ -137,11 +145,61 @@ bool Regaining::attempt(const Region& region, const FlatFace& face) {
       effort_.conflicts_of_each, options_.propagations, [&](Effort& lent) {
         return solver_.attempt({region, std::move(candidates)}, lent, {});
       });
-  if (solved.outcome != Outcome::Solved ||
-      solver_.n_pieces_added(solved, effort_.all) > 0)
-    return false;
-  surface_.replace(solved.freed, solved.chosen);
-  return true;
+  if (solved.outcome == Outcome::Solved &&
+      solved.chosen.size() + missing.size() <= solved.freed.size() &&
+      solver_.n_pieces_added(solved, effort_.all) <= 0) {
+    surface_.replace(solved.freed, solved.chosen);
+    return true;
+  }
+  for (const LocatedTriangle& t : missing) surface_.remove(*find(t.corners));
+  return false;
+}
+
+/// Whether a triangle of the surface lies in the plane of another one at it.
+bool continues(const delaunay::Triangulation3& triangulation,
+               const WorkingSurface& surface, TriangleIndex t) {
+  const Triangle& corners = surface.corners(t);
+  const Point3& a = triangulation.point(corners[0]);
+  const Point3 u = triangulation.point(corners[1]) - a;
+  const Point3 v = triangulation.point(corners[2]) - a;
+  const Point3 n = u.stableNormalized().cross(v.stableNormalized());
+  const double root_of_area = std::sqrt(u.stableNorm()) *
+                              std::sqrt(v.stableNorm()) *
+                              std::sqrt(n.norm() / 2);
+  const Point3 normal = n.normalized();
+  bool result = false;
+  for (const VertexId x : corners)
+    surface.for_each_at(x, [&](TriangleIndex other) {
+      VertexId apex = x;
+      unsigned n_shared = 0;
+      for (const VertexId w : surface.corners(other))
+        if (std::find(corners.begin(), corners.end(), w) != corners.end())
+          ++n_shared;
+        else
+          apex = w;
+      if (n_shared != 2) return;
+      const double height = (triangulation.point(apex) - a).dot(normal);
+      result |= std::abs(height) <= FlatFace::kTolerance * root_of_area;
+    });
+  return result;
+}
+
+/// A look at some triangles of the surface, evenly spread: of a designed body
+/// a quarter and more continue others. Of the real sets 46 % to all do where
+/// they are designed, up to 17 % where they are scans (flat_faces.md).
+bool may_have_flat_faces(const delaunay::Triangulation3& triangulation,
+                         const WorkingSurface& surface) {
+  constexpr std::size_t kLooks = 256;
+  const std::size_t step =
+      std::max<std::size_t>(1, surface.n_indices() / kLooks);
+  std::size_t n = 0, n_flat = 0;
+  for (std::size_t i = 0; i < surface.n_indices(); i += step) {
+    const auto t = static_cast<TriangleIndex>(i);
+    if (!surface.contains(t)) continue;
+    ++n;
+    n_flat += continues(triangulation, surface, t) ? 1 : 0;
+  }
+  return 4 * n_flat >= n;
 }
 
 /// The triangles of all cells at what the closing has added.
@@ -176,6 +234,7 @@ std::vector<LocatedTriangle> seeds(
 RegainedFaces regain_faces(const delaunay::Triangulation3& triangulation,
                            const ClosingOptions& options,
                            WorkingSurface& surface) {
+  if (!may_have_flat_faces(triangulation, surface)) return {};
   std::vector<FlatFace> faces =
       find_flat_faces(triangulation, seeds(triangulation, surface));
   std::erase_if(faces,
