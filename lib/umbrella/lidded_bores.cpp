@@ -256,6 +256,7 @@ std::vector<LiddedBore> BoreSearch::run(std::vector<FlatLid> lids) {
       is_alone[i] = is_alone[*other] = false;
     }
   std::vector<LiddedBore> result;
+  result.reserve(pairs.size());
   for (const auto& [first, second] : pairs)
     result.push_back(between(lids[first], lids[second]));
   for (std::size_t i = 0; i < lids.size(); ++i) {
