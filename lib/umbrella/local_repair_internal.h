@@ -39,9 +39,9 @@ struct LocalRepair {
 /// But for loops of three edges, a handle stays if the triangles that would
 /// come are on average 1.4 times as bad as those that would go, by
 /// options.weight; of a longer loop than options.handle_edges, if they are
-/// worse on average than the worst of those. At last a handle goes if those that
-/// come have, on average, at most half more of ball overlap than those that go,
-/// or two thirds at a long loop.
+/// worse on average than the worst of those. At last a handle goes if those
+/// that come have, on average, at most half more of ball overlap than those
+/// that go, or two thirds at a long loop.
 ///
 /// No point is lost, and components never become more.
 ///
