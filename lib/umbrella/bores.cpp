@@ -11,17 +11,13 @@
 
 #include "umbrella/bores_internal.h"
 #include "umbrella/flat_lids_internal.h"
+#include "umbrella/forced_changes_internal.h"
 #include "umbrella/lidded_bores_internal.h"
-#include "umbrella/region_solver_internal.h"
 
 namespace umbrella {
 namespace {
 
 using Edge = std::pair<VertexId, VertexId>;  // ascending
-
-bool is_before(const LocatedTriangle& a, const LocatedTriangle& b) {
-  return a.corners < b.corners;
-}
 
 /// Whether it lies in one of the rims.
 bool closes_end(const LocatedTriangle& t, const LiddedBore& bore) {
@@ -61,15 +57,11 @@ class Opening {
           LocalEffort& effort)
       : points_(triangulation.points()),
         unit_(lid_unit(triangulation)),
-        options_(options),
         surface_(surface),
-        is_open_(triangulation.points().size()),
-        groups_(triangulation, {}, surface),
-        solver_(triangulation, options, surface, is_open_, groups_),
-        effort_(effort) {}
+        changes_(triangulation, options, surface, effort) {}
 
   bool open(const LiddedBore& bore);
-  const RegionSolver& solver() const { return solver_; }
+  const RegionSolver& solver() const { return changes_.solver(); }
 
  private:
   using Triangles = std::vector<LocatedTriangle>;
@@ -78,9 +70,7 @@ class Opening {
   };
 
   Point3 point(VertexId v) const { return unit_ * points_[index(v)]; }
-  std::optional<TriangleIndex> index_of(const LocatedTriangle& triangle) const;
-  std::vector<TriangleIndex> indices(const Triangles& triangles) const;
-  std::vector<VertexId> ringed(std::span<const VertexId> vertices);
+  bool has_all(const Triangles& triangles) const;
   std::set<Edge> edges_round(const BoreEnd& end) const;
   Triangles face_about(const BoreEnd& end);
   Triangles faces_about(const LiddedBore& bore);
@@ -88,45 +78,18 @@ class Opening {
   bool open(const LiddedBore& bore, const Triangles& faces, Rings rings);
   bool attempt(const Region& region, const LiddedBore& bore,
                const Triangles& faces);
-  Attempt solution(const Region& region, const LiddedBore& bore,
-                   const Triangles& faces);
 
   std::span<const Point3> points_;
   const double unit_;
-  const ClosingOptions& options_;
   WorkingSurface& surface_;
-  std::vector<bool> is_open_;  // none
-  PointGroups groups_;
-  RegionSolver solver_;
-  LocalEffort& effort_;  // for all bores
+  ForcedChanges changes_;
 };
 
-std::optional<TriangleIndex> Opening::index_of(
-    const LocatedTriangle& triangle) const {
-  std::optional<TriangleIndex> result;
-  surface_.for_each_at(triangle.corners[0], [&](TriangleIndex t) {
-    if (surface_.corners(t) == triangle.corners) result = t;
-  });
-  return result;
-}
-
-/// Empty if some are not on the surface any more.
-std::vector<TriangleIndex> Opening::indices(const Triangles& triangles) const {
-  std::vector<TriangleIndex> result;
-  for (const LocatedTriangle& triangle : triangles) {
-    const auto t = index_of(triangle);
-    if (!t) return {};
-    result.push_back(*t);
-  }
-  return result;
-}
-
-/// With the vertices joined to these; what has been left out stays out, so that
-/// the number of triangles tells that of handles.
-std::vector<VertexId> Opening::ringed(std::span<const VertexId> vertices) {
-  std::vector<VertexId> result = solver_.neighborhoods().ring(vertices);
-  std::erase_if(result, [this](VertexId v) { return !surface_.is_used(v); });
-  return result;
+bool Opening::has_all(const Triangles& triangles) const {
+  return std::all_of(triangles.begin(), triangles.end(),
+                     [this](const LocatedTriangle& t) {
+                       return changes_.find(t).has_value();
+                     });
 }
 
 /// Those between vertices of a rim that follow each other round it.
@@ -151,8 +114,8 @@ Opening::Triangles Opening::face_about(const BoreEnd& end) {
   std::map<Edge, std::vector<Seen>> found;
   for (const Edge& edge : edges_round(end)) found[edge];
   Region region;
-  region.vertices = ringed(end.rim);
-  for (const LocatedTriangle& t : solver_.candidates(region))
+  region.vertices = changes_.ringed(end.rim);
+  for (const LocatedTriangle& t : changes_.candidates(region))
     for (unsigned i = 0; i < 3; ++i) {
       const VertexId a = t.corners[(i + 1) % 3], b = t.corners[(i + 2) % 3];
       const auto at = found.find(std::minmax(a, b));
@@ -185,8 +148,8 @@ bool Opening::open(const LiddedBore& bore, const Triangles& faces,
   Region region;
   region.vertices = bore.rims;
   for (int ring = 0; ring <= rings.most; ++ring) {
-    if (effort_.all.is_spent() || solver_.is_over()) break;
-    if (ring > 0) region.vertices = ringed(region.vertices);
+    if (!changes_.may_go_on()) break;
+    if (ring > 0) region.vertices = changes_.ringed(region.vertices);
     if (ring >= rings.least && attempt(region, bore, faces)) return true;
   }
   return false;
@@ -196,7 +159,7 @@ bool Opening::open(const LiddedBore& bore, const Triangles& faces,
 /// face at a rim is what says that it is the end of a bore and not of a shaft.
 bool Opening::open(const LiddedBore& bore) {
   constexpr Rings kPlain = {0, 2}, kWithFaces = {1, 4};
-  if (indices(bore.lids).empty()) return false;
+  if (!has_all(bore.lids)) return false;
   if (bore.ends.size() == 2) {
     const Triangles faces = faces_about(bore);
     if (!faces.empty() && open(bore, faces, kWithFaces)) return true;
@@ -215,7 +178,7 @@ Opening::Triangles Opening::faces_about(const LiddedBore& bore) {
       return {};
     result.insert(result.end(), face.begin(), face.end());
   }
-  std::sort(result.begin(), result.end(), is_before);
+  std::sort(result.begin(), result.end(), by_corners);
   return result;
 }
 
@@ -223,40 +186,15 @@ Opening::Triangles Opening::faces_about(const LiddedBore& bore) {
 /// handle more than the one with them.
 bool Opening::attempt(const Region& region, const LiddedBore& bore,
                       const Triangles& faces) {
-  Attempt solved = solution(region, bore, faces);
+  const Attempt solved = changes_.solution(
+      region, {.going = bore.lids, .coming = faces},
+      [&](const LocatedTriangle& t) { return closes_end(t, bore); });
   if (solved.outcome != Outcome::Solved ||
       solved.chosen.size() != solved.freed.size() + kTrianglesOfHandle ||
-      solver_.n_pieces_added(solved, effort_.all) != 0)
+      changes_.n_pieces_added(solved) != 0)
     return false;
   surface_.replace(solved.freed, solved.chosen);
   return true;
-}
-
-/// With the lids among what goes and the faces among what comes.
-Attempt Opening::solution(const Region& region, const LiddedBore& bore,
-                          const Triangles& faces) {
-  std::vector<LocatedTriangle> candidates = solver_.candidates(region);
-  std::erase_if(candidates, [&](const LocatedTriangle& t) {
-    return closes_end(t, bore) ||
-           std::binary_search(faces.begin(), faces.end(), t, is_before);
-  });
-  const auto first_added = static_cast<TriangleIndex>(surface_.n_indices());
-  const std::vector<TriangleIndex> lids = indices(bore.lids);
-  Triangles added = faces;
-  std::erase_if(added, [this](const LocatedTriangle& t) {
-    return index_of(t).has_value();
-  });
-  surface_.replace(lids, added);
-  Attempt result = effort_.all.lend(
-      effort_.conflicts_of_each, options_.propagations, [&](Effort& lent) {
-        return solver_.attempt({region, std::move(candidates)}, lent, {});
-      });
-  for (TriangleIndex t = first_added; t < surface_.n_indices(); ++t)
-    surface_.remove(t);
-  for (const TriangleIndex t : lids) surface_.put_back(t);
-  result.freed.insert(result.freed.end(), lids.begin(), lids.end());
-  result.chosen.insert(result.chosen.end(), added.begin(), added.end());
-  return result;
 }
 
 }  // namespace

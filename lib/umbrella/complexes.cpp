@@ -24,10 +24,7 @@ std::vector<LocatedTriangle> triangles_where(
     const DelaunayTriangle triangle(triangulation, spheres, facet);
     if (holds(Balls(triangle))) result.push_back({triangle.corners(), facet});
   }
-  std::sort(result.begin(), result.end(),
-            [](const LocatedTriangle& a, const LocatedTriangle& b) {
-              return a.corners < b.corners;
-            });
+  std::sort(result.begin(), result.end(), by_corners);
   return result;
 }
 

@@ -9,16 +9,12 @@
 namespace umbrella {
 namespace {
 
-bool is_before(const LocatedTriangle& a, const LocatedTriangle& b) {
-  return a.corners < b.corners;
-}
-
 /// Those of the first that are not among the others. @pre both ascend
 std::vector<LocatedTriangle> without(std::span<const LocatedTriangle> all,
                                      std::span<const LocatedTriangle> others) {
   std::vector<LocatedTriangle> result;
   std::set_difference(all.begin(), all.end(), others.begin(), others.end(),
-                      std::back_inserter(result), is_before);
+                      std::back_inserter(result), by_corners);
   return result;
 }
 
@@ -43,8 +39,8 @@ Exchange exchange_of(const Attempt& solved, const WorkingSurface& surface,
   std::vector<LocatedTriangle> before, after = solved.chosen;
   for (const TriangleIndex t : solved.freed)
     before.push_back(surface.triangle(t));
-  std::sort(before.begin(), before.end(), is_before);
-  std::sort(after.begin(), after.end(), is_before);
+  std::sort(before.begin(), before.end(), by_corners);
+  std::sort(after.begin(), after.end(), by_corners);
   const auto going = above_least(without(before, after), badness);
   const auto coming = above_least(without(after, before), badness);
   return {.worst_going =

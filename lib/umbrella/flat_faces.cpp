@@ -27,10 +27,6 @@ std::array<Side, 3> sides(const Triangle& t) {
   return {{{t[0], t[1]}, {t[0], t[2]}, {t[1], t[2]}}};
 }
 
-bool corners_before(const LocatedTriangle& a, const LocatedTriangle& b) {
-  return a.corners < b.corners;
-}
-
 /// Triangles that hang together in one plane.
 struct Patch {
   std::vector<LocatedTriangle> triangles;
@@ -192,7 +188,7 @@ std::vector<LocatedTriangle> FaceSearch::tiling(const Patch& patch) const {
       covered[h > 0 ? 0 : 1] += area(t.corners);
     }
   auto& best = result[covered[1] > covered[0] ? 1 : 0];
-  std::sort(best.begin(), best.end(), corners_before);
+  std::sort(best.begin(), best.end(), by_corners);
   return std::move(best);
 }
 
@@ -271,7 +267,7 @@ void FaceSearch::collect(const Parity& parity, std::uint32_t tile,
   }
   sort_unique(face.vertices);
   std::sort(face.outline.begin(), face.outline.end());
-  std::sort(face.triangles.begin(), face.triangles.end(), corners_before);
+  std::sort(face.triangles.begin(), face.triangles.end(), by_corners);
 }
 
 std::vector<FlatFace> FaceSearch::run(std::span<const LocatedTriangle> seeds) {

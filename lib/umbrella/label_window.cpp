@@ -24,10 +24,6 @@ namespace {
 /// A window with more of the cells is not worth its making.
 constexpr std::size_t kLargestPart = 4;  // one in so many
 
-bool is_before(const LocatedTriangle& a, const LocatedTriangle& b) {
-  return a.corners < b.corners;
-}
-
 }  // namespace
 
 LabelWindow::LabelWindow(const Triangulation3& whole,
@@ -204,7 +200,7 @@ bool LabelWindow::is_near(const Triangle& corners) const {
 
 bool LabelWindow::is_kept(const Triangle& corners) const {
   return std::binary_search(all_kept_.begin(), all_kept_.end(),
-                            LocatedTriangle{corners, {}}, is_before);
+                            LocatedTriangle{corners, {}}, by_corners);
 }
 
 std::vector<LocatedTriangle> LabelWindow::with_rest(
@@ -225,7 +221,7 @@ std::vector<LocatedTriangle> LabelWindow::with_rest(
   std::vector<LocatedTriangle> result;
   result.reserve(outside.size() + inside.size());
   std::merge(outside.begin(), outside.end(), inside.begin(), inside.end(),
-             std::back_inserter(result), is_before);
+             std::back_inserter(result), by_corners);
   return result;
 }
 

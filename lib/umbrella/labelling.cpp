@@ -133,10 +133,7 @@ std::vector<LocatedTriangle> Labelling::surface() const {
   for_each_on_surface([&](Facet facet) {
     result.push_back({corners(triangulation_, facet), facet});
   });
-  std::sort(result.begin(), result.end(),
-            [](const LocatedTriangle& a, const LocatedTriangle& b) {
-              return a.corners < b.corners;
-            });
+  std::sort(result.begin(), result.end(), by_corners);
   return result;
 }
 

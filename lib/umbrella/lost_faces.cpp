@@ -6,16 +6,13 @@
 #include <vector>
 
 #include "umbrella/flat_faces_internal.h"
+#include "umbrella/forced_changes_internal.h"
 #include "umbrella/lost_faces_internal.h"
 #include "umbrella/region_solver_internal.h"
 #include "umbrella/sort_unique_internal.h"
 
 namespace umbrella {
 namespace {
-
-bool corners_before(const LocatedTriangle& a, const LocatedTriangle& b) {
-  return a.corners < b.corners;
-}
 
 class Regaining {
  public:
@@ -24,52 +21,29 @@ class Regaining {
       : triangulation_(triangulation),
         unit_(std::ldexp(
             1, std::clamp(-triangulation.scale_exponent(), -1000, 1000))),
-        options_(options),
         surface_(surface),
-        is_open_(triangulation.points().size()),
-        groups_(triangulation, {}, surface),
-        solver_(triangulation, options, surface, is_open_, groups_),
-        effort_(local_effort(options, triangulation.points().size(), 1)) {}
+        effort_(local_effort(options, triangulation.points().size(), 1)),
+        changes_(triangulation, options, surface, effort_) {}
 
   bool regain(const FlatFace& face);
-  const RegionSolver& solver() const { return solver_; }
+  const RegionSolver& solver() const { return changes_.solver(); }
 
  private:
-  std::optional<TriangleIndex> find(const Triangle& corners) const;
   Point3 point(VertexId v) const { return unit_ * triangulation_.point(v); }
   bool is_lost(const FlatFace& face) const;
   bool is_section(const FlatFace& face) const;
-  std::vector<VertexId> ringed(std::span<const VertexId> vertices);
   Point3 area_vector(const Triangle& t) const {
     const Point3 a = point(t[0]);
     return (point(t[1]) - a).cross(point(t[2]) - a) / 2;
-  }
-  std::vector<LocatedTriangle> missing_of(const FlatFace& face) const {
-    std::vector<LocatedTriangle> result = face.triangles;
-    std::erase_if(result, [this](const LocatedTriangle& t) {
-      return find(t.corners).has_value();
-    });
-    return result;
   }
   bool attempt(const Region& region, const FlatFace& face);
 
   const delaunay::Triangulation3& triangulation_;
   const double unit_;
-  const ClosingOptions& options_;
   WorkingSurface& surface_;
-  std::vector<bool> is_open_;  // none
-  PointGroups groups_;
-  RegionSolver solver_;
   LocalEffort effort_;  // for all faces
+  ForcedChanges changes_;
 };
-
-std::optional<TriangleIndex> Regaining::find(const Triangle& corners) const {
-  std::optional<TriangleIndex> result;
-  surface_.for_each_at(corners[0], [&](TriangleIndex t) {
-    if (surface_.corners(t) == corners) result = t;
-  });
-  return result;
-}
 
 /// Whether less than half of it is on the surface.
 bool Regaining::is_lost(const FlatFace& face) const {
@@ -106,13 +80,6 @@ bool Regaining::is_section(const FlatFace& face) const {
   return 2 * n_crossed > face.outline.size();
 }
 
-/// With the vertices joined to these; what has been left out stays out.
-std::vector<VertexId> Regaining::ringed(std::span<const VertexId> vertices) {
-  std::vector<VertexId> result = solver_.neighborhoods().ring(vertices);
-  std::erase_if(result, [this](VertexId v) { return !surface_.is_used(v); });
-  return result;
-}
-
 /// Tries the vertices of the face by themselves, then with one ring of Delaunay
 /// edges about them, then with two.
 bool Regaining::regain(const FlatFace& face) {
@@ -124,8 +91,8 @@ bool Regaining::regain(const FlatFace& face) {
   Region region;
   region.vertices = face.vertices;
   for (int ring = 0; ring <= kRings; ++ring) {
-    if (effort_.all.is_spent() || solver_.is_over()) break;
-    if (ring > 0) region.vertices = ringed(region.vertices);
+    if (!changes_.may_go_on()) break;
+    if (ring > 0) region.vertices = changes_.ringed(region.vertices);
     if (attempt(region, face)) return true;
   }
   return false;
@@ -134,25 +101,14 @@ bool Regaining::regain(const FlatFace& face) {
 /// Takes the surface that solves the program with the whole face, if that has
 /// no more pieces and no more handles.
 bool Regaining::attempt(const Region& region, const FlatFace& face) {
-  const std::vector<LocatedTriangle> missing = missing_of(face);
-  for (const LocatedTriangle& t : missing) surface_.add(t);
-  std::vector<LocatedTriangle> candidates = solver_.candidates(region);
-  std::erase_if(candidates, [&](const LocatedTriangle& t) {
-    return std::binary_search(face.triangles.begin(), face.triangles.end(), t,
-                              corners_before);
-  });
-  const Attempt solved = effort_.all.lend(
-      effort_.conflicts_of_each, options_.propagations, [&](Effort& lent) {
-        return solver_.attempt({region, std::move(candidates)}, lent, {});
-      });
-  if (solved.outcome == Outcome::Solved &&
-      solved.chosen.size() + missing.size() <= solved.freed.size() &&
-      solver_.n_pieces_added(solved, effort_.all) <= 0) {
-    surface_.replace(solved.freed, solved.chosen);
-    return true;
-  }
-  for (const LocatedTriangle& t : missing) surface_.remove(*find(t.corners));
-  return false;
+  const Attempt solved =
+      changes_.solution(region, {.going = {}, .coming = face.triangles});
+  if (solved.outcome != Outcome::Solved ||
+      solved.chosen.size() > solved.freed.size() ||
+      changes_.n_pieces_added(solved) > 0)
+    return false;
+  surface_.replace(solved.freed, solved.chosen);
+  return true;
 }
 
 /// Whether a triangle of the surface lies in the plane of another one at it.
@@ -221,7 +177,7 @@ std::vector<LocatedTriangle> seeds(
       }
     }
   });
-  std::sort(result.begin(), result.end(), corners_before);
+  std::sort(result.begin(), result.end(), by_corners);
   const auto last = std::unique(
       result.begin(), result.end(),
       [](const auto& a, const auto& b) { return a.corners == b.corners; });

@@ -206,11 +206,8 @@ FilterResult method_filter(const Method& method,
       ranked_triangles(triangulation, spheres, LambdaCriterion{});
   std::vector<RankedTriangle> ranked;
   std::ranges::copy_if(all, std::back_inserter(ranked), [&](const auto& t) {
-    return std::binary_search(
-        chosen.begin(), chosen.end(), LocatedTriangle{t.corners, t.facet},
-        [](const LocatedTriangle& a, const LocatedTriangle& b) {
-          return a.corners < b.corners;
-        });
+    return std::binary_search(chosen.begin(), chosen.end(),
+                              LocatedTriangle{t.corners, t.facet}, by_corners);
   });
   FilterResult result;
   result.triangles = RankedTriangles(std::move(ranked), all.order());

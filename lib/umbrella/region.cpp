@@ -250,10 +250,7 @@ std::vector<LocatedTriangle> Neighborhoods::candidates(const Region& region) {
     }
   };
   cells_.collect(united(region.vertices, region.stuck), add_facets);
-  std::sort(result.begin(), result.end(),
-            [](const LocatedTriangle& a, const LocatedTriangle& b) {
-              return a.corners < b.corners;
-            });
+  std::sort(result.begin(), result.end(), by_corners);
   for (const VertexId v : region.vertices) mark_[index(v)] = 0;
   for (const VertexId v : region.stuck) mark_[index(v)] = 0;
   return result;

@@ -33,10 +33,7 @@ std::vector<LocatedTriangle> boundary(const Triangulation3& triangulation,
     if (is_inside(here) != is_inside(there))
       result.push_back({t.corners(), facet});
   }
-  std::sort(result.begin(), result.end(),
-            [](const LocatedTriangle& a, const LocatedTriangle& b) {
-              return a.corners < b.corners;
-            });
+  std::sort(result.begin(), result.end(), by_corners);
   return result;
 }
 

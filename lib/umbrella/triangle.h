@@ -53,6 +53,11 @@ struct LocatedTriangle {
   delaunay::Facet facet;
 };
 
+/// The order of triangles by ascending corners.
+inline bool by_corners(const LocatedTriangle& a, const LocatedTriangle& b) {
+  return a.corners < b.corners;
+}
+
 struct RankedTriangle {
   Triangle corners;
   delaunay::Facet facet;  ///< as in LocatedTriangle

@@ -30,10 +30,7 @@ std::vector<LocatedTriangle> located_triangles(
   std::vector<LocatedTriangle> result;
   for (const Facet facet : facets(triangulation))
     result.push_back({corners_of(triangulation, facet), facet});
-  std::sort(result.begin(), result.end(),
-            [](const LocatedTriangle& a, const LocatedTriangle& b) {
-              return a.corners < b.corners;
-            });
+  std::sort(result.begin(), result.end(), by_corners);
   return result;
 }
 
