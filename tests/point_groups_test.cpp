@@ -33,7 +33,7 @@ std::vector<std::size_t> group_sizes(
       for (const VertexId b : t.corners)
         reach[index(a)] = std::max(reach[index(a)], 4 * squared(a, b));
   std::replace(reach.begin(), reach.end(), 0.0,
-               std::numeric_limits<double>::infinity());
+               *std::max_element(reach.begin(), reach.end()));
   DisjointSets sets(n);
   for (const delaunay::Cell& cell :
        triangulation.cells().first(triangulation.n_finite_cells()))

@@ -9,6 +9,7 @@
 
 #include "umbrella/disjoint_sets_internal.h"
 #include "umbrella/triangle.h"
+#include "umbrella/working_surface_internal.h"
 
 namespace umbrella {
 
@@ -50,5 +51,22 @@ class Census {
   DisjointSets sets_;
   std::vector<std::uint8_t> is_used_;
 };
+
+/// By vertex: whether it is in the component of one of these.
+inline std::vector<bool> on_components_of(const WorkingSurface& surface,
+                                          std::span<const VertexId> vertices) {
+  DisjointSets sets(surface.n_vertices());
+  for (TriangleIndex t = 0; t < surface.n_indices(); ++t) {
+    if (!surface.contains(t)) continue;
+    const auto& [a, b, c] = surface.corners(t);
+    sets.unite(index(a), index(b));
+    sets.unite(index(a), index(c));
+  }
+  std::vector<bool> result(surface.n_vertices());
+  for (const VertexId v : vertices) result[sets.root(index(v))] = true;
+  for (std::size_t v = 0; v < result.size(); ++v)
+    result[v] = result[sets.root(v)];
+  return result;
+}
 
 }  // namespace umbrella

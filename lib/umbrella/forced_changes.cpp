@@ -1,6 +1,6 @@
-#include "umbrella/forced_changes_internal.h"
-
 #include <algorithm>
+
+#include "umbrella/forced_changes_internal.h"
 
 namespace umbrella {
 

@@ -100,6 +100,12 @@ class Repair {
   Outcome take_fewer_triangles(const Vertices& loop, const Region& region,
                                std::uint64_t most_conflicts);
   bool cut(const Vertices& loop, const Region& region);
+  /// By vertex: that the sampling of one body is in doubt says nothing about
+  /// another.
+  std::vector<bool> on_changed_components() const {
+    return n_components_ == 1 ? std::vector<bool>(surface_.n_vertices(), true)
+                              : on_components_of(surface_, all_changed_);
+  }
   bool remove_last_handle(const Loops& loops);
   LastCut cut_at_last(const Vertices& loop);
   LastCut cut_at_last(const Vertices& loop, const Region& region);
@@ -220,9 +226,11 @@ void Repair::remove_last_handles(HandleLoops& search) {
   while (may_go_on() && is_any_removed) {
     forget_changes();
     is_any_removed = false;
+    const std::vector<bool> is_in_doubt = on_changed_components();
     for (const Loops& loops :
          search.independent(surface_, all_changed_, max_edges, kAlike))
-      is_any_removed |= remove_last_handle(loops);
+      if (is_in_doubt[index(loops[0][0])])
+        is_any_removed |= remove_last_handle(loops);
   }
 }
 
@@ -240,13 +248,19 @@ bool Repair::remove_last_handle(const Loops& loops) {
   return false;
 }
 
-/// Tries each loop once, but for those that a removal has changed.
+/// Tries each loop once, but for those that a removal has changed. Those to be
+/// cut have to lie on a component that has been changed.
 /// @return whether any is removed
 bool Repair::remove_some_handles(const Loops& loops, Way way) {
   forget_changes();
+  const std::vector<bool> is_in_doubt =
+      way == Way::Cut ? on_changed_components()
+                      : std::vector<bool>(surface_.n_vertices(), true);
   bool is_any_removed = false;
   for (const Vertices& loop : loops) {
-    if (has_changed(loop) || !tried_.insert(loop).second) continue;
+    if (!is_in_doubt[index(loop[0])] || has_changed(loop) ||
+        !tried_.insert(loop).second)
+      continue;
     if (is_over()) break;
     is_any_removed |= remove_handle_at(loop, way);
   }
@@ -354,9 +368,10 @@ Repair::LastCut Repair::cut_at_last(const Vertices& loop,
     if (solved.outcome != Outcome::Solved ||
         solved.chosen.size() + kTrianglesOfHandle > solved.freed.size())
       continue;
-    if (costs_little(loop, solved) && take(solved, n_components_))
+    if (!costs_little(loop, solved))
+      result = LastCut::Refused;
+    else if (take(solved, n_components_))
       return LastCut::Taken;
-    result = LastCut::Refused;
   }
   return result;
 }

@@ -137,16 +137,21 @@ void PieceFinder::forget_reached() {
 }
 
 /// A look at the whole surface takes as long as walks over all of it, or over
-/// one piece up to a limit that is a large part of it.
+/// one piece up to a limit that is a large part of it. So it takes no longer in
+/// all than the walks since the last one, which has then lost its use.
 bool PieceFinder::are_patches_worth_it() const {
   constexpr std::size_t kLargePart = 8;  // one in so many
   const std::size_t n = surface_.n_vertices();
-  return !has_looked_for_patches_ &&
-         (kLargePart * limit_ > n || n_explored_ > n);
+  return n_explored_ > n ||
+         (!has_looked_for_patches_ && kLargePart * limit_ > n);
 }
 
 void PieceFinder::find_large_patches(const std::vector<bool>& is_open) {
   has_looked_for_patches_ = true;
+  n_explored_ = 0;
+  n_patches_ = 0;
+  doubtful_.reset();
+  doubted_.clear();
   const std::size_t n = surface_.n_vertices();
   DisjointSets sets(n);
   const std::vector<std::uint8_t> waits(is_open.begin(), is_open.end());

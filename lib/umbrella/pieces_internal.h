@@ -112,7 +112,7 @@ class PieceFinder {
   /// more than the limit: wherever a walk meets one, its piece is large.
   std::vector<std::uint8_t> is_in_patch_;
   bool has_looked_for_patches_ = false;
-  std::size_t n_explored_ = 0;  // vertices, before that
+  std::size_t n_explored_ = 0;  // vertices, since then
   std::size_t n_patches_ = 0;
   std::size_t n_spare_ = 0;   // triangles of the least patch above the limit
   bool uses_patches_ = true;  // in the call at hand

@@ -74,16 +74,19 @@ std::vector<double> PointGroups::squared_reach(
     for (const VertexId v : triangulation_.cell(c).vertex)
       is_asked[index(v)] = 1;
   std::vector<double> reach(surface_.n_vertices());
+  double farthest = 0;
   for (const RankedTriangle& t : triangles_)
     for (unsigned i = 0; i < 3; ++i) {
       const VertexId a = t.corners[i], b = t.corners[(i + 1) % 3];
-      if ((is_asked[index(a)] | is_asked[index(b)]) == 0) continue;
       const double longest = kReach * kReach * distance.squared(a, b);
+      farthest = std::max(farthest, longest);
+      if ((is_asked[index(a)] | is_asked[index(b)]) == 0) continue;
       reach[index(a)] = std::max(reach[index(a)], longest);
       reach[index(b)] = std::max(reach[index(b)], longest);
     }
-  std::replace(reach.begin(), reach.end(), 0.0,
-               std::numeric_limits<double>::infinity());
+  std::replace(
+      reach.begin(), reach.end(), 0.0,
+      farthest > 0 ? farthest : std::numeric_limits<double>::infinity());
   return reach;
 }
 

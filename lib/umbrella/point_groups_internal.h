@@ -17,7 +17,7 @@ namespace umbrella {
 
 /// Points are in one group if Delaunay edges lead from one to the other that
 /// are at most twice as long as the longest edge of the triangles at either
-/// end. At a point without triangles every edge counts as short.
+/// end, or than the longest of all at a point without triangles.
 class PointGroups {
  public:
   /// Groups are found when first asked for.
