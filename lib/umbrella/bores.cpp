@@ -12,6 +12,7 @@
 #include "umbrella/bores_internal.h"
 #include "umbrella/flat_lids_internal.h"
 #include "umbrella/forced_changes_internal.h"
+#include "umbrella/length_unit_internal.h"
 #include "umbrella/lidded_bores_internal.h"
 
 namespace umbrella {
@@ -56,7 +57,7 @@ class Opening {
           const ClosingOptions& options, WorkingSurface& surface,
           LocalEffort& effort)
       : points_(triangulation.points()),
-        unit_(lid_unit(triangulation)),
+        unit_(length_unit(triangulation)),
         surface_(surface),
         changes_(triangulation, options, surface, effort) {}
 

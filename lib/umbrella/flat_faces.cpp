@@ -15,6 +15,7 @@
 
 #include "umbrella/curve.h"
 #include "umbrella/flat_faces_internal.h"
+#include "umbrella/length_unit_internal.h"
 #include "umbrella/sort_unique_internal.h"
 
 namespace umbrella {
@@ -91,11 +92,10 @@ class Parity {
 class FaceSearch {
  public:
   explicit FaceSearch(const delaunay::Triangulation3& triangulation)
-      : triangulation_(triangulation),
-        unit_(std::ldexp(
-            1, std::clamp(-triangulation.scale_exponent(), -1000, 1000))) {}
+      : triangulation_(triangulation), unit_(length_unit(triangulation)) {}
 
-  std::vector<FlatFace> run(std::span<const LocatedTriangle> seeds);
+  std::vector<FlatFace> run(std::span<const LocatedTriangle> seeds,
+                            const std::function<bool()>& is_over);
 
  private:
   Point3 point(VertexId v) const { return unit_ * triangulation_.point(v); }
@@ -206,8 +206,8 @@ std::vector<Side> FaceSearch::curves(const FlatFace& plane,
     const Point3 p = point(v) - plane.origin;
     flat.emplace_back(p.dot(u), p.dot(w));
   }
-  const CurveReconstruction curve =
-      reconstruct_curve(flat, {.mode = CurveMode::Closed});
+  const CurveReconstruction curve = reconstruct_curve(
+      flat, {.mode = CurveMode::Closed, .closing = {.max_growth = 0}});
   std::vector<Side> result;
   if (!curve.open_rows.empty() || curve.edges.size() != vertices.size())
     return result;
@@ -270,15 +270,18 @@ void FaceSearch::collect(const Parity& parity, std::uint32_t tile,
   std::sort(face.triangles.begin(), face.triangles.end(), by_corners);
 }
 
-std::vector<FlatFace> FaceSearch::run(std::span<const LocatedTriangle> seeds) {
+std::vector<FlatFace> FaceSearch::run(std::span<const LocatedTriangle> seeds,
+                                      const std::function<bool()>& is_over) {
   std::vector<std::pair<double, std::uint32_t>> order;
   for (std::uint32_t i = 0; i < seeds.size(); ++i)
     order.emplace_back(-area(seeds[i].corners), i);
   std::sort(order.begin(), order.end());
   std::vector<FlatFace> result;
-  for (const auto& [negative_area, i] : order)
+  for (const auto& [negative_area, i] : order) {
+    if (is_over()) break;
     if (negative_area < 0 && !is_met_.contains(seeds[i].corners))
       add_faces(patch_of(seeds[i]), result);
+  }
   std::stable_sort(
       result.begin(), result.end(),
       [](const FlatFace& a, const FlatFace& b) { return a.area > b.area; });
@@ -289,8 +292,9 @@ std::vector<FlatFace> FaceSearch::run(std::span<const LocatedTriangle> seeds) {
 
 std::vector<FlatFace> find_flat_faces(
     const delaunay::Triangulation3& triangulation,
-    std::span<const LocatedTriangle> seeds) {
-  return FaceSearch(triangulation).run(seeds);
+    std::span<const LocatedTriangle> seeds,
+    const std::function<bool()>& is_over) {
+  return FaceSearch(triangulation).run(seeds, is_over);
 }
 
 }  // namespace umbrella

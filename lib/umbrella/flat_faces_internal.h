@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -37,7 +38,7 @@ struct FlatFace {
   /// More are the scan of a plane.
   static constexpr std::size_t kMostVertices = 4096;
   /// What a corner may be off by, as part of the root of the area of the
-  /// largest triangle. Files hold CAD models with five digits or so.
+  /// largest seed in it. Files hold CAD models with five digits or so.
   static constexpr double kTolerance = 1e-4;
 };
 
@@ -45,13 +46,16 @@ struct FlatFace {
 ///
 /// All triangles that hang together with one of these in its plane are looked
 /// at, and all of their corners are put on closed curves, the shortest ones
-/// (curve.h). A face is what lies within an odd number of them. Planes with
+/// (curve.h); where these are not to be had at once the outline is not clear. A
+/// face is what lies within an odd number of them. Planes with
 /// more than FlatFace::kMostVertices corners are left out.
 ///
 /// @param seeds  distinct, by ascending corners
+/// @param is_over  asked before each plane; those left are not looked at then
 /// @return the largest first; no two share a triangle
 std::vector<FlatFace> find_flat_faces(
     const delaunay::Triangulation3& triangulation,
-    std::span<const LocatedTriangle> seeds);
+    std::span<const LocatedTriangle> seeds,
+    const std::function<bool()>& is_over = [] { return false; });
 
 }  // namespace umbrella

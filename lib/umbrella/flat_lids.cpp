@@ -13,6 +13,7 @@
 #include <span>
 
 #include "umbrella/flat_lids_internal.h"
+#include "umbrella/length_unit_internal.h"
 #include "umbrella/sort_unique_internal.h"
 
 namespace umbrella {
@@ -35,7 +36,7 @@ class LidSearch {
   LidSearch(const delaunay::Triangulation3& triangulation,
             const WorkingSurface& surface)
       : points_(triangulation.points()),
-        unit_(lid_unit(triangulation)),
+        unit_(length_unit(triangulation)),
         surface_(surface),
         is_met_(surface.n_indices()),
         is_in_lid_(surface.n_indices()),
@@ -243,11 +244,6 @@ std::vector<FlatLid> LidSearch::run() {
 }
 
 }  // namespace
-
-double lid_unit(const delaunay::Triangulation3& triangulation) {
-  return std::ldexp(1,
-                    std::clamp(-triangulation.scale_exponent(), -1000, 1000));
-}
 
 bool is_closed_round(std::span<const Point3> arms, const Point3& axis) {
   if (arms.size() < 8) return false;

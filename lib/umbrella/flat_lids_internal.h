@@ -38,10 +38,6 @@ struct FlatLid {
   static constexpr double kTolerance = 1e-2;
 };
 
-/// What a coordinate is multiplied with for the unit of lengths here: a power
-/// of two, that of Cell::center.
-double lid_unit(const delaunay::Triangulation3& triangulation);
-
 /// Whether there are eight or more, with no gap of more than an eighth.
 ///
 /// @param arms  from one point of the axis, along which they may differ

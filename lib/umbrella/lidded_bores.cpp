@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "umbrella/flat_lids_internal.h"
+#include "umbrella/length_unit_internal.h"
 #include "umbrella/lidded_bores_internal.h"
 #include "umbrella/region_internal.h"
 #include "umbrella/surface.h"
@@ -86,7 +87,7 @@ class BoreSearch {
   BoreSearch(const delaunay::Triangulation3& triangulation,
              const WorkingSurface& surface, Effort& effort)
       : points_(triangulation.points()),
-        unit_(lid_unit(triangulation)),
+        unit_(length_unit(triangulation)),
         surface_(surface),
         effort_(effort) {}
 

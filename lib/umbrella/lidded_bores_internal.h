@@ -10,7 +10,7 @@
 
 namespace umbrella {
 
-/// Where a bore goes through a face. Lengths are in the unit of lid_unit().
+/// Where a bore goes through a face. Lengths are in the unit of length_unit().
 struct BoreEnd {
   std::vector<VertexId> rim;  ///< ascending
   Point3 center;

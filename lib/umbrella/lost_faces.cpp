@@ -7,6 +7,7 @@
 
 #include "umbrella/flat_faces_internal.h"
 #include "umbrella/forced_changes_internal.h"
+#include "umbrella/length_unit_internal.h"
 #include "umbrella/lost_faces_internal.h"
 #include "umbrella/region_solver_internal.h"
 #include "umbrella/sort_unique_internal.h"
@@ -19,13 +20,13 @@ class Regaining {
   Regaining(const delaunay::Triangulation3& triangulation,
             const ClosingOptions& options, WorkingSurface& surface)
       : triangulation_(triangulation),
-        unit_(std::ldexp(
-            1, std::clamp(-triangulation.scale_exponent(), -1000, 1000))),
+        unit_(length_unit(triangulation)),
         surface_(surface),
         effort_(local_effort(options, triangulation.points().size(), 1)),
         changes_(triangulation, options, surface, effort_) {}
 
   bool regain(const FlatFace& face);
+  bool is_over() const { return !changes_.may_go_on(); }
   const RegionSolver& solver() const { return changes_.solver(); }
 
  private:
@@ -191,12 +192,12 @@ RegainedFaces regain_faces(const delaunay::Triangulation3& triangulation,
                            const ClosingOptions& options,
                            WorkingSurface& surface) {
   if (!may_have_flat_faces(triangulation, surface)) return {};
+  Regaining regaining(triangulation, options, surface);
   std::vector<FlatFace> faces =
-      find_flat_faces(triangulation, seeds(triangulation, surface));
+      find_flat_faces(triangulation, seeds(triangulation, surface),
+                      [&] { return regaining.is_over(); });
   std::erase_if(faces,
                 [](const FlatFace& face) { return face.n_holes() == 0; });
-  if (faces.empty()) return {};
-  Regaining regaining(triangulation, options, surface);
   RegainedFaces result;
   for (const FlatFace& face : faces)
     result.count += regaining.regain(face) ? 1 : 0;
