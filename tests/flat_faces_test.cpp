@@ -94,7 +94,9 @@ TEST(FlatFaces, HaveTheirOutlineAsBoundary) {
     for (const Point3& p : pierced_disc(0.2, 8 + trial)) points.push_back(p);
     const delaunay::Triangulation3 triangulation(placed(points, trial, rng));
     std::set<Triangle> met;
-    for (const FlatFace& face : faces_of(triangulation)) {
+    const std::vector<FlatFace> faces = faces_of(triangulation);
+    ASSERT_GE(faces.size(), 2U);
+    for (const FlatFace& face : faces) {
       std::map<std::array<VertexId, 2>, int> count;
       for (const LocatedTriangle& t : face.triangles) {
         const auto& [a, b, c] = t.corners;
@@ -204,16 +206,38 @@ TEST(LostFaces, AreFlatAfterwards) {
 
 TEST(LostFaces, DependNeitherOnUnitNorOnThreads) {
   std::mt19937_64 rng(5);
+  std::size_t n_regained = 0;
   for (int n = 4; n < 8; ++n) {
     SCOPED_TRACE(testing::Message() << "n " << n);
     Points points = placed(bolt(0.2, n, 18), 0, rng);
     const Reconstruction expected = closed(points, true);
+    n_regained += expected.closing.faces_regained;
     EXPECT_EQ(closed(points, true, 3).triangles, expected.triangles);
     for (const int exponent : {-600, -30, 40, 500}) {
       Points scaled = points;
       for (Point3& p : scaled) p *= std::ldexp(1, exponent);
       EXPECT_EQ(closed(scaled, true).triangles, expected.triangles);
     }
+  }
+  EXPECT_GE(n_regained, 3U);
+}
+
+/// Rings of two radii in each of some planes: only the first and the last plane
+/// hold a face, and that is there.
+TEST(LostFaces, AreNoSections) {
+  std::mt19937_64 rng(6);
+  for (int trial = 0; trial < 8; ++trial) {
+    SCOPED_TRACE(testing::Message() << "trial " << trial);
+    const int n = 12 + 4 * trial;
+    Points points;
+    for (const double z : {0.0, 0.4, 0.8, 1.2, 1.6}) {
+      add_ring({}, z, n, points);
+      add_ring({.radius = 0.4}, z, n / 2, points);
+    }
+    points = placed(points, trial, rng);
+    const Reconstruction result = closed(points, true);
+    EXPECT_EQ(result.closing.faces_regained, 0U);
+    EXPECT_EQ(result.triangles, closed(points, false).triangles);
   }
 }
 

@@ -63,11 +63,11 @@ TEST(HandleRemoval, AddsItsEffortToTheReport) {
   const LocalRepair repair =
       repair_locally(triangulation, options, before.triangles);
   EXPECT_GT(repair.handles_removed, 0U);
-  EXPECT_GT(repair.conflicts, 0U);
+  EXPECT_GT(repair.spent.conflicts, 0U);
   const ClosingReport after = close(options).report;
-  EXPECT_EQ(after.conflicts, before.report.conflicts + repair.conflicts);
+  EXPECT_EQ(after.conflicts, before.report.conflicts + repair.spent.conflicts);
   EXPECT_EQ(after.propagations,
-            before.report.propagations + repair.propagations);
+            before.report.propagations + repair.spent.propagations);
 }
 
 /// Wherever it is up.

@@ -112,12 +112,27 @@ TEST(LastHandles, StayWhereTheyAreSampled) {
     const Reconstruction beside = reconstruct(points);
     EXPECT_GT(beside.closing.handles_removed, 0U);
     EXPECT_EQ(beside.surface.genus, genus + 1);
+    EXPECT_EQ(beside.surface.components, 2U);
     EXPECT_TRUE(beside.surface.unused_vertices.empty());
   }
 }
 
+/// That a plate is sampled badly says nothing about a knot far from it, the
+/// noise of which is within what it can bear.
+TEST(LastHandles, StayOnBodiesThatWereNotChanged) {
+  const std::vector<Point3> plate = noisy_plate(15);
+  const std::int64_t genus = reconstruct(plate).surface.genus.value();
+  std::vector<Point3> points = plate;
+  for (const Point3& p : shapes::sample("knot", 500, {.seed = 3, .noise = 0.3}))
+    points.push_back(p + Point3(0, 0, 9));
+  const Reconstruction beside = reconstruct(points);
+  EXPECT_GT(beside.closing.handles_removed, 0U);
+  EXPECT_EQ(beside.surface.genus, genus + 1);
+  EXPECT_EQ(beside.surface.components, 2U);
+}
+
 /// Hands touch a body, and lips each other, along patches that loops of up to
-/// 16 edges go round.
+/// 16 edges go round. One handle in a hand speaks for itself.
 TEST(SlowLastHandles, GoWherePartsOfAFigureTouch) {
   std::ifstream file("data/real/man.off");
   if (!file) GTEST_SKIP() << "no figure: run scripts/fetch_data.sh";
@@ -128,7 +143,8 @@ TEST(SlowLastHandles, GoWherePartsOfAFigureTouch) {
   std::vector<Point3> points(n);
   for (Point3& p : points) file >> p.x() >> p.y() >> p.z();
   const Reconstruction result = reconstruct(points);
-  EXPECT_EQ(result.surface.genus, 0);
+  EXPECT_GE(result.closing.handles_removed, 31U);
+  EXPECT_LE(result.surface.genus, 1);
   EXPECT_EQ(result.surface.components, 1U);
   EXPECT_TRUE(result.surface.manifold && result.surface.outward);
   EXPECT_TRUE(result.surface.unused_vertices.empty());

@@ -60,6 +60,13 @@ struct Effort {
   }
 };
 
+/// What programs have taken.
+struct Spent {
+  std::uint64_t conflicts = 0;
+  std::uint64_t propagations = 0;  ///< with what else is taken off an effort
+  bool is_timed_out = false;       ///< the clock cut a search short
+};
+
 /// What programs about single places of a closed surface may take.
 struct LocalEffort {
   Effort all;

@@ -1,3 +1,5 @@
+// A bore is opened by a program about both of its rims that may not close them,
+// and has to take the faces about them if these have been lost.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -219,8 +221,8 @@ OpenedBores open_bores(const delaunay::Triangulation3& triangulation,
     }
     if (goes_on) effort.all.charge(0, surface.n_indices());
   }
-  if (opening) result.conflicts = opening->solver().conflicts();
-  result.propagations = most_propagations - effort.all.propagations;
+  if (opening) result.spent = opening->solver().spent();
+  result.spent.propagations = most_propagations - effort.all.propagations;
   return result;
 }
 

@@ -3,9 +3,9 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 
 #include "delaunay/triangulation3.h"
+#include "umbrella/attempt_internal.h"
 #include "umbrella/closing.h"
 #include "umbrella/working_surface_internal.h"
 
@@ -13,8 +13,7 @@ namespace umbrella {
 
 struct OpenedBores {
   std::size_t count = 0;
-  std::uint64_t conflicts = 0;
-  std::uint64_t propagations = 0;  ///< all that was taken off the effort
+  Spent spent;
 };
 
 /// Takes the lids off bores (find_lidded_bores). A wall is put between the ends
@@ -25,7 +24,9 @@ struct OpenedBores {
 /// A mesh that a designer has made holds no corner within a flat face. One that
 /// a scan has made holds many, but not on a circle about nothing.
 ///
-/// @param options  all programs together may take what one region may
+/// @param options  all programs together may take the propagations of one
+/// region
+///   of all points, and the conflicts of three
 /// @param surface  closed and manifold; changed where a bore was opened
 OpenedBores open_bores(const delaunay::Triangulation3& triangulation,
                        const ClosingOptions& options, WorkingSurface& surface);

@@ -86,6 +86,7 @@ class Closing {
   void accept(const Attempt& solved);
   void give_up(const Task& task);
   bool label_cells();
+  void count(const Spent& spent);
   bool regain_faces();
   bool repair_locally(bool is_labelled);
   void open_bores(bool has_changed);
@@ -111,9 +112,7 @@ ClosingResult Closing::run(std::span<const Hole> holes) {
   if (options_.mode == CloseMode::Best) repair_all();
   for (const Task& task : tasks_) give_up(task);
   tell_progress(result_.report.regions);
-  result_.report.conflicts += solver_.conflicts();
-  result_.report.propagations += solver_.propagations();
-  result_.report.timed_out |= solver_.is_timed_out();
+  count(solver_.spent());
   result_.triangles = surface_.sorted();
   std::sort(dropped_.begin(), dropped_.end());
   if (options_.mode == CloseMode::Best && options_.drop_points) {
@@ -378,6 +377,7 @@ bool Closing::drop_points(Task& task) {
           is_undecided_[index(v)] = true;
       return true;
     }
+    if (task.stuck.empty()) break;
     region.vertices =
         united(region.vertices, solver_.neighborhoods().ring(task.stuck));
   }
@@ -411,6 +411,12 @@ bool Closing::label_cells() {
   return true;
 }
 
+void Closing::count(const Spent& spent) {
+  result_.report.conflicts += spent.conflicts;
+  result_.report.propagations += spent.propagations;
+  result_.report.timed_out |= spent.is_timed_out;
+}
+
 /// @return whether the surface has changed
 bool Closing::regain_faces() {
   if (solver_.is_over()) return false;
@@ -420,8 +426,7 @@ bool Closing::regain_faces() {
   const RegainedFaces regained =
       umbrella::regain_faces(triangulation_, options, surface_);
   result_.report.faces_regained = regained.count;
-  result_.report.conflicts += regained.conflicts;
-  result_.report.propagations += regained.propagations;
+  count(regained.spent);
   if (regained.count > 0) result_.triangles = surface_.sorted();
   return regained.count > 0;
 }
@@ -438,8 +443,7 @@ bool Closing::repair_locally(bool is_labelled) {
   }
   LocalRepair repaired =
       umbrella::repair_locally(triangulation_, options, result_.triangles);
-  result_.report.conflicts += repaired.conflicts;
-  result_.report.propagations += repaired.propagations;
+  count(repaired.spent);
   result_.report.pieces_joined = repaired.pieces_joined;
   result_.report.brought_in = repaired.brought_in;
   result_.report.handles_removed = repaired.handles_removed;
@@ -460,8 +464,7 @@ void Closing::open_bores(bool has_changed) {
   const OpenedBores opened =
       umbrella::open_bores(triangulation_, options, surface_);
   result_.report.bores_opened = opened.count;
-  result_.report.conflicts += opened.conflicts;
-  result_.report.propagations += opened.propagations;
+  count(opened.spent);
   if (result_.report.bores_opened > 0) result_.triangles = surface_.sorted();
 }
 

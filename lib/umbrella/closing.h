@@ -64,7 +64,8 @@ struct ClosingOptions {
   /// Once the surface is closed, handles that a loop of at most so many edges
   /// goes round are removed where a surface through the same points has none,
   /// if the closing may have made one: not in tubes, which have four such loops
-  /// or more. Where some are, loops of up to twice as many edges count as well.
+  /// or more. Where some are, loops of up to twice as many edges count as well,
+  /// and in the end some of up to four times as many, those of tubes with them.
   /// 0 to keep all.
   unsigned handle_edges = 5;
   /// Before that, flat faces with holes that were lost are put in, where there
@@ -111,7 +112,8 @@ struct ClosingReport {
   std::size_t brought_in = 0;      ///< points that had been left out
   std::size_t handles_removed = 0;
   std::size_t bores_opened = 0;
-  /// Of all programs, those of the local repair and the bores included.
+  /// Of all programs, those about lost faces, the local repair and the bores
+  /// included.
   std::uint64_t conflicts = 0;
   /// All that was taken off efforts for these; what making a program costs
   /// counts for some.

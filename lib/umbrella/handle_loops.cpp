@@ -240,7 +240,8 @@ HandleLoops::Loops HandleLoops::about(const WorkingSurface& surface,
 std::vector<HandleLoops::Loops> HandleLoops::independent(
     const WorkingSurface& surface, std::span<const VertexId> changed,
     unsigned max_edges, std::size_t n_alike) {
-  Vertices starts = at_first_->starts(max_edges);
+  if (!starts_at_first_) starts_at_first_ = at_first_->starts(max_edges);
+  Vertices starts = *starts_at_first_;
   starts.insert(starts.end(), changed.begin(), changed.end());
   sort_unique(starts);
   Window window(surface, widened(surface, std::move(starts), max_edges / 2));

@@ -34,8 +34,10 @@ class HandleLoops {
   /// found, of tubes as well.
   Loops about(const WorkingSurface& surface, std::span<const VertexId> changed);
 
-  /// EssentialLoops::independent of the surface, twice a handle at most.
+  /// EssentialLoops::independent of the surface near these vertices and where
+  /// it had loops at first, twice a handle at most.
   /// @param changed  vertices of the triangles that have come since all()
+  /// @param max_edges  the same in each call
   /// @pre all() has been called
   std::vector<Loops> independent(const WorkingSurface& surface,
                                  std::span<const VertexId> changed,
@@ -44,7 +46,8 @@ class HandleLoops {
  private:
   unsigned max_edges_;
   std::optional<EssentialLoops> at_first_;  // of the call of all()
-  std::vector<VertexId> on_loops_;          // of the last call; ascending
+  std::optional<std::vector<VertexId>> starts_at_first_;  // of these, long ones
+  std::vector<VertexId> on_loops_;  // of the last call; ascending
 };
 
 }  // namespace umbrella

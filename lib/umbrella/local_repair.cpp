@@ -482,8 +482,7 @@ LocalRepair repair_locally(const delaunay::Triangulation3& triangulation,
   result.brought_in = repair.bring_in();
   if (options.handle_edges > 0)
     result.handles_removed = repair.remove_handles(search, std::move(loops));
-  result.conflicts = repair.solver().conflicts();
-  result.propagations = repair.solver().propagations();
+  result.spent = repair.solver().spent();
   result.left_out = repair.left_out();
   triangles = repair.triangles();
   return result;

@@ -3,10 +3,10 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 #include "delaunay/triangulation3.h"
+#include "umbrella/attempt_internal.h"
 #include "umbrella/closing.h"
 #include "umbrella/triangle.h"
 
@@ -16,14 +16,13 @@ struct LocalRepair {
   std::size_t pieces_joined = 0;
   std::size_t brought_in = 0;
   std::size_t handles_removed = 0;
-  std::uint64_t conflicts = 0;     ///< as in ClosingReport
-  std::uint64_t propagations = 0;  ///< likewise
+  Spent spent;
   std::vector<VertexId> left_out;  ///< on no triangle; ascending
 };
 
 /// Solves programs of a few vertices, with all else as it is, on all of which
 /// as many propagations are spent as on two regions of all points, and as many
-/// conflicts as on one:
+/// conflicts as on three:
 ///
 /// - about each small closed piece that hangs together with others, for a
 ///   surface of fewer components;
@@ -36,10 +35,11 @@ struct LocalRepair {
 ///   up to four times as many that go round a handle that is left, of a tube
 ///   or not.
 ///
-/// But for loops of three edges, a handle stays if the triangles that would
-/// come are on average 1.4 times as bad as those that would go, by
+/// But for loops of three edges, a handle stays at first if the triangles that
+/// would come are on average 1.4 times as bad as those that would go, by
 /// options.weight; of a longer loop than options.handle_edges, if they are
-/// worse on average than the worst of those. At last a handle goes if those
+/// worse on average than the worst of those. At last, where some have gone and
+/// only on a component that has been changed, a handle goes if those
 /// that come have, on average, at most half more of ball overlap than those
 /// that go, or two thirds at a long loop.
 ///

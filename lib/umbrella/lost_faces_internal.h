@@ -3,9 +3,9 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 
 #include "delaunay/triangulation3.h"
+#include "umbrella/attempt_internal.h"
 #include "umbrella/closing.h"
 #include "umbrella/working_surface_internal.h"
 
@@ -13,8 +13,7 @@ namespace umbrella {
 
 struct RegainedFaces {
   std::size_t count = 0;
-  std::uint64_t conflicts = 0;
-  std::uint64_t propagations = 0;  ///< all that was taken off the effort
+  Spent spent;
 };
 
 /// Puts flat faces with holes (flat_faces_internal.h), of which the surface has
@@ -24,7 +23,9 @@ struct RegainedFaces {
 /// outline, which is that of a section then. Only if a look at the surface says
 /// that the body is a designed one.
 ///
-/// @param options  all programs together may take what one region may
+/// @param options  all programs together may take the propagations of one
+/// region
+///   of all points, and the conflicts of three
 /// @param surface  closed and manifold; changed where a face was put in
 RegainedFaces regain_faces(const delaunay::Triangulation3& triangulation,
                            const ClosingOptions& options,

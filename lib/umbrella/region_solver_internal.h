@@ -71,6 +71,7 @@ class RegionSolver {
   std::uint64_t propagations() const { return propagations_; }
   /// Whether options.seconds cut a search short.
   bool is_timed_out() const { return is_timed_out_; }
+  Spent spent() const { return {conflicts_, propagations_, is_timed_out_}; }
 
  private:
   struct Work;  // one attempt
