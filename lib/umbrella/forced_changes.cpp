@@ -7,7 +7,7 @@ namespace umbrella {
 Attempt ForcedChanges::solution(
     const Region& region, const Change& change,
     const std::function<bool(const LocatedTriangle&)>& is_barred) {
-  const auto& [going, coming] = change;
+  const std::vector<LocatedTriangle>& coming = change.coming;
   std::vector<LocatedTriangle> candidates = solver_.candidates(region);
   std::erase_if(candidates, [&](const LocatedTriangle& t) {
     return is_barred(t) ||
@@ -15,7 +15,7 @@ Attempt ForcedChanges::solution(
   });
   const auto first_added = static_cast<TriangleIndex>(surface_.n_indices());
   std::vector<TriangleIndex> off;
-  for (const LocatedTriangle& t : going) off.push_back(*find(t));
+  for (const LocatedTriangle& t : change.going) off.push_back(*find(t));
   std::vector<LocatedTriangle> on = coming;
   std::erase_if(
       on, [this](const LocatedTriangle& t) { return find(t).has_value(); });
