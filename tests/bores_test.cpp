@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include "tests/support/designed_bodies.h"
 #include "umbrella/bores_internal.h"
 #include "umbrella/flat_lids_internal.h"
 #include "umbrella/lidded_bores_internal.h"
@@ -23,20 +23,10 @@
 namespace umbrella {
 namespace {
 
-using Points = std::vector<Point3>;
-
-struct Circle {
-  double x = 0, y = 0;
-  double radius = 1;
-};
-
-void add_ring(const Circle& circle, double z, int n, Points& points) {
-  for (int i = 0; i < n; ++i) {
-    const double angle = 2 * std::numbers::pi * i / n;
-    points.emplace_back(circle.x + circle.radius * std::cos(angle),
-                        circle.y + circle.radius * std::sin(angle), z);
-  }
-}
+using support::add_ring;
+using support::Circle;
+using support::placed;
+using support::Points;
 
 /// A rectangle from the origin, n points on each side.
 void add_outline(double width, double height, double z, int n, Points& points) {
@@ -55,18 +45,6 @@ Points tube(double inner_radius, double length, int n) {
   for (const double z : {0.0, length}) {
     add_ring({}, z, n, points);
     add_ring({.radius = inner_radius}, z, n, points);
-  }
-  return points;
-}
-
-/// Turned any way; every second time written with six digits.
-Points placed(Points points, int trial, std::mt19937_64& rng) {
-  std::uniform_real_distribution<double> unit(-1, 1);
-  const Eigen::Quaterniond q{unit(rng), unit(rng), unit(rng), unit(rng)};
-  for (Point3& p : points) {
-    p = q.normalized() * p;
-    if (trial % 2 == 1)
-      for (double& x : p) x = std::round(x * 1e6) / 1e6;
   }
   return points;
 }

@@ -8,11 +8,11 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
-#include <numbers>
 #include <random>
 #include <set>
 #include <vector>
 
+#include "tests/support/designed_bodies.h"
 #include "umbrella/facets.h"
 #include "umbrella/flat_faces_internal.h"
 #include "umbrella/reconstruct.h"
@@ -20,39 +20,16 @@
 namespace umbrella {
 namespace {
 
-using Points = std::vector<Point3>;
-
-struct Circle {
-  double x = 0, y = 0;
-  double radius = 1;
-};
-
-void add_ring(const Circle& circle, double z, int n, Points& points) {
-  for (int i = 0; i < n; ++i) {
-    const double angle = 2 * std::numbers::pi * i / n;
-    points.emplace_back(circle.x + circle.radius * std::cos(angle),
-                        circle.y + circle.radius * std::sin(angle), z);
-  }
-}
-
-/// Turned any way; every second time written with six digits.
-Points placed(Points points, int trial, std::mt19937_64& rng) {
-  std::uniform_real_distribution<double> unit(-1, 1);
-  const Eigen::Quaterniond q{unit(rng), unit(rng), unit(rng), unit(rng)};
-  for (Point3& p : points) {
-    p = q.normalized() * p;
-    if (trial % 2 == 1)
-      for (double& x : p) x = std::round(x * 1e6) / 1e6;
-  }
-  return points;
-}
+using support::add_ring;
+using support::Circle;
+using support::placed;
+using support::Points;
 
 std::vector<FlatFace> faces_of(const delaunay::Triangulation3& triangulation) {
   std::vector<LocatedTriangle> all;
   for (const delaunay::Facet facet : facets(triangulation))
     all.push_back({corners(triangulation, facet), facet});
-  std::sort(all.begin(), all.end(),
-            [](const auto& a, const auto& b) { return a.corners < b.corners; });
+  std::sort(all.begin(), all.end(), by_corners);
   return find_flat_faces(triangulation, all);
 }
 

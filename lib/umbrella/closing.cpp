@@ -86,6 +86,7 @@ class Closing {
   void accept(const Attempt& solved);
   void give_up(const Task& task);
   bool label_cells();
+  ClosingOptions options_for_rest() const;
   void count(const Spent& spent);
   bool regain_faces();
   bool repair_locally(bool is_labelled);
@@ -411,6 +412,14 @@ bool Closing::label_cells() {
   return true;
 }
 
+/// Of what comes after the regions.
+ClosingOptions Closing::options_for_rest() const {
+  ClosingOptions options = options_;
+  options.on_program = {};
+  options.seconds = std::max(0.0, solver_.seconds_left());
+  return options;
+}
+
 void Closing::count(const Spent& spent) {
   result_.report.conflicts += spent.conflicts;
   result_.report.propagations += spent.propagations;
@@ -420,11 +429,8 @@ void Closing::count(const Spent& spent) {
 /// @return whether the surface has changed
 bool Closing::regain_faces() {
   if (solver_.is_over()) return false;
-  ClosingOptions options = options_;
-  options.on_program = {};
-  options.seconds = std::max(0.0, solver_.seconds_left());
   const RegainedFaces regained =
-      umbrella::regain_faces(triangulation_, options, surface_);
+      umbrella::regain_faces(triangulation_, options_for_rest(), surface_);
   result_.report.faces_regained = regained.count;
   count(regained.spent);
   if (regained.count > 0) result_.triangles = surface_.sorted();
@@ -434,9 +440,7 @@ bool Closing::regain_faces() {
 /// @return whether the surface may have changed
 bool Closing::repair_locally(bool is_labelled) {
   if (solver_.is_over()) return false;
-  ClosingOptions options = options_;
-  options.on_program = {};
-  options.seconds = std::max(0.0, solver_.seconds_left());
+  ClosingOptions options = options_for_rest();
   if (!is_labelled && !may_have_new_handle(surface_, options.handle_edges)) {
     if (solver_.is_one_piece()) return false;
     options.handle_edges = 0;
@@ -458,11 +462,8 @@ void Closing::open_bores(bool has_changed) {
     surface_ =
         WorkingSurface(surface_.n_vertices(),
                        std::span<const LocatedTriangle>(result_.triangles));
-  ClosingOptions options = options_;
-  options.on_program = {};
-  options.seconds = std::max(0.0, solver_.seconds_left());
   const OpenedBores opened =
-      umbrella::open_bores(triangulation_, options, surface_);
+      umbrella::open_bores(triangulation_, options_for_rest(), surface_);
   result_.report.bores_opened = opened.count;
   count(opened.spent);
   if (result_.report.bores_opened > 0) result_.triangles = surface_.sorted();

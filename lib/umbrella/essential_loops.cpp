@@ -5,6 +5,7 @@
 
 #include "umbrella/essential_loops_internal.h"
 #include "umbrella/sort_unique_internal.h"
+#include "umbrella/widened_internal.h"
 
 namespace umbrella {
 namespace {
@@ -55,24 +56,6 @@ EssentialLoops::EssentialLoops(std::size_t n_vertices,
     : labels_(n_vertices, triangles, boundary),
       step_of_vertex_(n_vertices, kNone) {}
 
-/// With all vertices within so many edges; ascending.
-std::vector<VertexId> EssentialLoops::widened(
-    std::span<const VertexId> vertices, unsigned n_edges) const {
-  std::vector<bool> is_met(labels_.n_vertices());
-  std::vector<VertexId> result;
-  const auto enter = [&](VertexId v) {
-    if (!is_met[index(v)]) result.push_back(v);
-    is_met[index(v)] = true;
-  };
-  for (const VertexId v : vertices) enter(v);
-  std::size_t next = 0;
-  for (unsigned ring = 0; ring < n_edges; ++ring)
-    for (const std::size_t end = result.size(); next < end; ++next)
-      for (const Spoke& spoke : labels_.spokes(result[next])) enter(spoke.end);
-  std::sort(result.begin(), result.end());
-  return result;
-}
-
 bool EssentialLoops::has_loop(unsigned max_edges) {
   const std::vector<VertexId> starts = labels_.labelled_ends();
   return std::any_of(starts.begin(), starts.end(), [&](VertexId v) {
@@ -94,7 +77,12 @@ std::vector<VertexId> EssentialLoops::starts(unsigned max_edges) {
 EssentialLoops::Found EssentialLoops::shortest(unsigned max_edges) {
   const std::vector<VertexId> ends = starts(max_edges);
   if (ends.empty()) return {};
-  return shortest(widened(ends, max_edges / 2), max_edges);
+  const auto near = widened(labels_.n_vertices(), ends, max_edges / 2,
+                            [this](VertexId v, const auto& enter) {
+                              for (const Spoke& spoke : labels_.spokes(v))
+                                enter(spoke.end);
+                            });
+  return shortest(near, max_edges);
 }
 
 EssentialLoops::Found EssentialLoops::shortest(std::span<const VertexId> starts,

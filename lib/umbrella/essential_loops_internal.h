@@ -72,8 +72,6 @@ class EssentialLoops {
     std::vector<Word> label;
   };
 
-  std::vector<VertexId> widened(std::span<const VertexId> vertices,
-                                unsigned n_edges) const;
   std::vector<Loop> shortest_through(std::span<const VertexId> starts,
                                      unsigned max_edges);
   Found sort_out(std::vector<Loop> loops);

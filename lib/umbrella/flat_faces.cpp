@@ -10,7 +10,6 @@
 #include <cstdint>
 #include <map>
 #include <optional>
-#include <set>
 #include <utility>
 
 #include "umbrella/curve.h"
@@ -92,7 +91,9 @@ class Parity {
 class FaceSearch {
  public:
   explicit FaceSearch(const delaunay::Triangulation3& triangulation)
-      : triangulation_(triangulation), unit_(length_unit(triangulation)) {}
+      : triangulation_(triangulation),
+        unit_(length_unit(triangulation)),
+        is_met_(4 * triangulation.cells().size()) {}
 
   std::vector<FlatFace> run(std::span<const LocatedTriangle> seeds,
                             const std::function<bool()>& is_over);
@@ -101,6 +102,9 @@ class FaceSearch {
   Point3 point(VertexId v) const { return unit_ * triangulation_.point(v); }
   double area(const Triangle& t) const;
   LocatedTriangle located(Facet facet) const;
+  static std::size_t place(const LocatedTriangle& t) {
+    return 4 * index(t.facet.cell()) + t.facet.index();
+  }
   double height(const FlatFace& plane, VertexId v) const {
     return (point(v) - plane.origin).dot(plane.normal);
   }
@@ -116,7 +120,7 @@ class FaceSearch {
 
   const delaunay::Triangulation3& triangulation_;
   const double unit_;
-  std::set<Triangle> is_met_;  // in some patch
+  std::vector<bool> is_met_;  // in some patch; by facet of a located triangle
 };
 
 double FaceSearch::area(const Triangle& t) const {
@@ -144,7 +148,7 @@ Patch FaceSearch::patch_of(const LocatedTriangle& seed) {
       (point(b) - point(a)).cross(point(c) - point(a)).normalized();
   patch.plane.tolerance = FlatFace::kTolerance * std::sqrt(area(seed.corners));
   patch.triangles = {seed};
-  is_met_.insert(seed.corners);
+  is_met_[place(seed)] = true;
   for (std::size_t i = 0; i < patch.triangles.size(); ++i) {
     const LocatedTriangle t = patch.triangles[i];
     for (const Side& side : sides(t.corners)) add_around(t, side, patch);
@@ -166,7 +170,8 @@ void FaceSearch::add_around(const LocatedTriangle& t, const Side& side,
     const LocatedTriangle next = located(facet);
     if (next.corners[2] == delaunay::kInfinite) continue;
     if (!is_in(patch.plane, next.corners)) continue;
-    if (!is_met_.insert(next.corners).second) continue;
+    if (is_met_[place(next)]) continue;
+    is_met_[place(next)] = true;
     patch.triangles.push_back(next);
   } while (corners(triangulation_, facet) != t.corners);
 }
@@ -279,7 +284,7 @@ std::vector<FlatFace> FaceSearch::run(std::span<const LocatedTriangle> seeds,
   std::vector<FlatFace> result;
   for (const auto& [negative_area, i] : order) {
     if (is_over()) break;
-    if (negative_area < 0 && !is_met_.contains(seeds[i].corners))
+    if (negative_area < 0 && !is_met_[place(seeds[i])])
       add_faces(patch_of(seeds[i]), result);
   }
   std::stable_sort(

@@ -8,6 +8,7 @@
 #include "umbrella/disjoint_sets_internal.h"
 #include "umbrella/handle_loops_internal.h"
 #include "umbrella/sort_unique_internal.h"
+#include "umbrella/widened_internal.h"
 
 namespace umbrella {
 namespace {
@@ -15,24 +16,15 @@ namespace {
 using Seam = EssentialLoops::Seam;
 using Vertices = std::vector<VertexId>;
 
-/// With all vertices within so many edges; ascending.
 Vertices widened(const WorkingSurface& surface,
                  std::span<const VertexId> vertices, unsigned n_edges) {
-  std::vector<bool> is_met(surface.n_vertices());
-  Vertices result;
-  const auto enter = [&](VertexId v) {
-    if (!is_met[index(v)]) result.push_back(v);
-    is_met[index(v)] = true;
-  };
-  for (const VertexId v : vertices) enter(v);
-  std::size_t next = 0;
-  for (unsigned ring = 0; ring < n_edges; ++ring)
-    for (const std::size_t end = result.size(); next < end; ++next)
-      surface.for_each_at(result[next], [&](TriangleIndex t) {
-        for (const VertexId corner : surface.corners(t)) enter(corner);
-      });
-  std::sort(result.begin(), result.end());
-  return result;
+  return umbrella::widened(surface.n_vertices(), vertices, n_edges,
+                           [&](VertexId v, const auto& enter) {
+                             surface.for_each_at(v, [&](TriangleIndex t) {
+                               for (const VertexId corner : surface.corners(t))
+                                 enter(corner);
+                             });
+                           });
 }
 
 /// Triangles of which each has a corner among some vertices.

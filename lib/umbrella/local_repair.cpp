@@ -89,7 +89,10 @@ class Repair {
 
   /// How to remove the handle that a loop goes round.
   enum class Way { Any, Cut };
-  enum class LastCut { None, Refused, Taken };
+  enum class Cut { None, Refused, Taken };
+  /// Whether the triangles let a handle go.
+  using Question = bool (Repair::*)(const Vertices& loop,
+                                    const Attempt& solved) const;
 
   bool hangs_together(const Vertices& piece);
   void remove_handles(HandleLoops& search, Loops loops, Way way);
@@ -99,7 +102,7 @@ class Repair {
   bool remove_handle(const Vertices& loop, const Region& region);
   Outcome take_fewer_triangles(const Vertices& loop, const Region& region,
                                std::uint64_t most_conflicts);
-  bool cut(const Vertices& loop, const Region& region);
+  Cut cut(const Vertices& loop, const Region& region, Question may_take);
   /// By vertex: that the sampling of one body is in doubt says nothing about
   /// another.
   std::vector<bool> on_changed_components() const {
@@ -107,8 +110,10 @@ class Repair {
                               : on_components_of(surface_, all_changed_);
   }
   bool remove_last_handle(const Loops& loops);
-  LastCut cut_at_last(const Vertices& loop);
-  LastCut cut_at_last(const Vertices& loop, const Region& region);
+  bool is_cut(const Vertices& loop, const Region& region) {
+    return cut(loop, region, &Repair::may_go) == Cut::Taken;
+  }
+  Cut cut_at_last(const Vertices& loop);
   bool costs_little(const Vertices& loop, const Attempt& solved) const;
   bool has_changed(const Vertices& loop) const;
   void forget_changes();
@@ -241,9 +246,9 @@ bool Repair::remove_last_handle(const Loops& loops) {
   for (const Vertices& loop : loops) {
     if (refused_.contains(loop) || is_over()) return false;
     if (has_changed(loop) || !tried_.insert(loop).second) continue;
-    const LastCut cut = cut_at_last(loop);
-    if (cut == LastCut::Refused) refused_.insert(loop);
-    if (cut != LastCut::None) return cut == LastCut::Taken;
+    const Cut result = cut_at_last(loop);
+    if (result == Cut::Refused) refused_.insert(loop);
+    if (result != Cut::None) return result == Cut::Taken;
   }
   return false;
 }
@@ -285,7 +290,7 @@ bool Repair::remove_handle_at(const Vertices& loop, Way way) {
   region.vertices = loop;
   for (int ring = 0; ring < kRings; ++ring) {
     region.vertices = ringed(region.vertices);
-    if (way == Way::Any ? remove_handle(loop, region) : cut(loop, region))
+    if (way == Way::Any ? remove_handle(loop, region) : is_cut(loop, region))
       return true;
   }
   return false;
@@ -297,7 +302,7 @@ bool Repair::remove_handle(const Vertices& loop, const Region& region) {
   constexpr std::uint64_t kFewConflicts = 60;
   const Outcome outcome = take_fewer_triangles(loop, region, kFewConflicts);
   if (outcome != Outcome::Undecided) return outcome == Outcome::Solved;
-  return cut(loop, region) ||
+  return is_cut(loop, region) ||
          take_fewer_triangles(loop, region, most_conflicts_) == Outcome::Solved;
 }
 
@@ -328,50 +333,36 @@ bool Repair::may_go(const Vertices& loop, const Attempt& solved) const {
 /// joins them near the loop, so that each is closed by itself. That is shown to
 /// be possible, or not to be, much sooner than that there is a surface with
 /// fewer triangles.
-bool Repair::cut(const Vertices& loop, const Region& region) {
+Repair::Cut Repair::cut(const Vertices& loop, const Region& region,
+                        Question may_take) {
   const std::vector<Vertices> parts = parts_without(loop, region.vertices);
-  if (parts.size() < 2) return false;
-  for (const Vertices& part : parts) {
-    const Attempt solved =
-        solution(region, {.part = part, .is_likely = false}, most_conflicts_);
-    if (solved.outcome == Outcome::Solved &&
-        solved.chosen.size() + kTrianglesOfHandle <= solved.freed.size() &&
-        may_go(loop, solved) && take(solved, n_components_))
-      return true;
-  }
-  return false;
-}
-
-/// In as few rings as it takes: most of the triangles that come close the
-/// handle then.
-Repair::LastCut Repair::cut_at_last(const Vertices& loop) {
-  constexpr int kRings = 3;
-  LastCut cut = LastCut::None;
-  Region region;
-  region.vertices = loop;
-  for (int ring = 0; ring < kRings && cut == LastCut::None; ++ring) {
-    region.vertices = ringed(region.vertices);
-    if (region.vertices.size() > kMostVertices) break;
-    cut = cut_at_last(loop, region);
-  }
-  return cut;
-}
-
-Repair::LastCut Repair::cut_at_last(const Vertices& loop,
-                                    const Region& region) {
-  const std::vector<Vertices> parts = parts_without(loop, region.vertices);
-  if (parts.size() < 2) return LastCut::None;
-  LastCut result = LastCut::None;
+  if (parts.size() < 2) return Cut::None;
+  Cut result = Cut::None;
   for (const Vertices& part : parts) {
     const Attempt solved =
         solution(region, {.part = part, .is_likely = false}, most_conflicts_);
     if (solved.outcome != Outcome::Solved ||
         solved.chosen.size() + kTrianglesOfHandle > solved.freed.size())
       continue;
-    if (!costs_little(loop, solved))
-      result = LastCut::Refused;
+    if (!(this->*may_take)(loop, solved))
+      result = Cut::Refused;
     else if (take(solved, n_components_))
-      return LastCut::Taken;
+      return Cut::Taken;
+  }
+  return result;
+}
+
+/// In as few rings as it takes: most of the triangles that come close the
+/// handle then.
+Repair::Cut Repair::cut_at_last(const Vertices& loop) {
+  constexpr int kRings = 3;
+  Cut result = Cut::None;
+  Region region;
+  region.vertices = loop;
+  for (int ring = 0; ring < kRings && result == Cut::None; ++ring) {
+    region.vertices = ringed(region.vertices);
+    if (region.vertices.size() > kMostVertices) break;
+    result = cut(loop, region, &Repair::costs_little);
   }
   return result;
 }
